@@ -7,6 +7,8 @@ use pilotage_core::exchange::{
     ExchangeError, Format, Imported, Places, write_landmarks, write_places,
 };
 use pilotage_core::mission::Route;
+use pilotage_core::mission::package::{MissionPackage, read_package};
+use pilotage_core::navigator::NavigatorSettings;
 use pilotage_jobs::read_exchange;
 
 use crate::CommandResult;
@@ -84,6 +86,14 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     })?;
     tell(from, &imported.notes);
     let mut notes = Vec::new();
+    let left_out = parts_of_a_mission(&bytes);
+    if !left_out.is_empty() {
+        let words = format!("without what no format of places holds: {left_out}");
+        if is_same_file(from, to) {
+            return Err(format!("{name}: it would be {words}; name another file to write").into());
+        }
+        notes.push(words);
+    }
     if let Some(wanted) = &arguments.route {
         imported.routes = vec![chosen(&imported, wanted)?];
         leave_out_landmarks(&mut imported, &mut notes, "one route was asked for");
@@ -131,6 +141,39 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         count(imported.landmarks.len(), "landmark")
     );
     Ok(())
+}
+
+/// Parts of a mission of this program that it has beside routes, landmarks, no-fly areas and rally points, in words; none of
+/// another file.
+fn parts_of_a_mission(bytes: &[u8]) -> String {
+    let Ok(MissionPackage {
+        mission, settings, ..
+    }) = read_package(bytes)
+    else {
+        return String::new();
+    };
+    let few = |number: usize, what| (number > 0).then(|| count(number, what));
+    let one = |is_there: bool, what: &str| is_there.then(|| what.to_owned());
+    let has_settings = mission.navigator != NavigatorSettings::default();
+    let parts = [
+        one(mission.camera.is_some(), "its camera"),
+        one(mission.camera_to_log.is_some(), "that camera's adjustment"),
+        one(has_settings, "settings of the navigator"),
+        few(mission.roads.len(), "road"),
+        few(mission.labels.len(), "labelled picture"),
+        one(mission.map.is_some(), "the name of its map"),
+        one(!settings.is_empty(), "what was open beside it"),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    parts.join(", ")
+}
+
+/// Whether both paths lead to one file.
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
 }
 
 fn tell(file: &Path, notes: &[String]) {

@@ -1,6 +1,12 @@
 //! `pilotage convert` as a user calls it.
 
+use std::collections::BTreeMap;
 use std::process::{Command, Output};
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::{read_mission, write_mission};
+use pilotage_core::roads::{RoadClass, RoadLine};
+use pilotage_core::simulate::Scenario;
 
 use super::folder::Folder;
 
@@ -124,4 +130,38 @@ fn plain_text_of_another_kind_is_called_by_its_name_and_a_plan_by_its_line() {
         later.contains("line 1") && later.contains("QGC WPL 110"),
         "{later}"
     );
+}
+
+#[test]
+fn a_mission_says_what_it_leaves_behind_and_is_not_written_over_itself() {
+    let folder = Folder::new("convert-mission");
+    let brighton = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../tests/flights/brighton/mission.geojson"
+    );
+    let mut mission =
+        read_mission(&std::fs::read(brighton).expect("it is there")).expect("a mission");
+    mission.camera = Some(Scenario::camera());
+    mission.navigator.alpha = 0.5;
+    mission.roads = vec![RoadLine {
+        name: "A 1".into(),
+        class: RoadClass::Track,
+        width: 3.0,
+        course: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(90.0, 10.0)],
+        properties: BTreeMap::new(),
+    }];
+    let before = write_mission(&mission);
+    folder.write("m.geojson", &before);
+    for target in ["out.geojson", "out.kml"] {
+        let output = folder.convert("m.geojson", target, &[]);
+        assert!(output.status.success());
+        let said = words(&output.stderr);
+        for part in ["its camera", "settings of the navigator", "1 road"] {
+            assert!(said.contains(part), "{target}: {said}");
+        }
+    }
+    let output = folder.convert("m.geojson", "./m.geojson", &[]);
+    assert!(!output.status.success() && words(&output.stderr).contains("another file"));
+    let after = std::fs::read_to_string(folder.0.join("m.geojson")).expect("it stays");
+    assert_eq!(after.as_bytes(), before.as_bytes());
 }
