@@ -2,6 +2,7 @@
 //! the same command again, and any number of programs may work on one folder.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
@@ -56,18 +57,33 @@ impl Shards {
         let program = env!("CARGO_PKG_VERSION").to_owned();
         let begun = Begun { program, of };
         let path = root.join("study.json");
-        if let Ok(text) = fs::read_to_string(&path) {
-            let there: Option<Begun<T>> = serde_json::from_str(&text).ok();
-            if there.as_ref() != Some(&begun) {
+        // Looked at first: whoever begins it at this moment writes shards after that file.
+        let has_shards = has_files(&shards, ending)?;
+        let other = "give another folder with --out, or remove that folder";
+        match fs::read_to_string(&path) {
+            Ok(text) => {
+                let there: Option<Begun<T>> = serde_json::from_str(&text).ok();
+                if there.as_ref() != Some(&begun) {
+                    return Err(format!(
+                        "{} was begun with another plan, size of shards, file that it names or program; {other}",
+                        root.display()
+                    ));
+                }
+            }
+            Err(why) if why.kind() != ErrorKind::NotFound => {
+                return Err(format!("{}: {why}", path.display()));
+            }
+            // Nothing tells of what plan shards are that lie there without it.
+            Err(_) if has_shards => {
                 return Err(format!(
-                    "{} was begun with another plan, size of shards, file that it names or program; give another \
-                     folder with --out, or remove it",
+                    "{} has shards, and no study.json that says of what; {other}",
                     root.display()
                 ));
             }
-        } else {
-            let text = serde_json::to_string_pretty(&begun).map_err(|why| why.to_string())?;
-            write_whole(&path, text)?;
+            Err(_) => {
+                let text = serde_json::to_string_pretty(&begun).map_err(|why| why.to_string())?;
+                write_whole(&path, text)?;
+            }
         }
         Ok(Self {
             root: root.to_owned(),
@@ -151,4 +167,15 @@ impl Shards {
         println!("{text}");
         Ok(())
     }
+}
+
+/// Whether a folder has files of that ending.
+fn has_files(folder: &Path, ending: &str) -> Result<bool, String> {
+    let told = |why: std::io::Error| format!("{}: {why}", folder.display());
+    for entry in fs::read_dir(folder).map_err(told)? {
+        if entry.map_err(told)?.path().extension() == Some(ending.as_ref()) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }

@@ -139,6 +139,15 @@ fn a_study_that_may_stop_does_so_at_the_same_flight_however_it_is_cut() {
         (&said["is_complete"], &said["missing"]),
         (&true.into(), &Vec::<u64>::new().into())
     );
+    // Shards of which nothing says what they are of are nobody's.
+    std::fs::remove_file(folder.0.join("many/study.json")).unwrap();
+    let why = folder
+        .study(&["--out", "many", "--runs-per-shard", "3"])
+        .unwrap_err();
+    assert!(
+        why.contains("many has shards, and no study.json") && why.contains("that folder"),
+        "{why}"
+    );
 }
 
 #[test]
