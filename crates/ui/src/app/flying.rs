@@ -135,6 +135,7 @@ impl App {
         self.tell_features_of_flight(egui, host);
         if old != self.documents.flight.source {
             self.playback.selected_span = None;
+            self.views.plots.show_all_time();
         }
         self.frame_pictures.leave(host);
         self.views.camera.clear();

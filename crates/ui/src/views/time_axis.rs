@@ -32,9 +32,10 @@ impl TimeOnScreen for ChartAxes {
 }
 
 impl TimeAxis {
-    /// First and last time shown.
+    /// First and last time shown: the part of `whole` that was chosen, or all of it where that lies elsewhere.
     pub fn span(&self, whole: (f64, f64)) -> (f64, f64) {
-        self.zoom.unwrap_or(whole)
+        let chosen = self.zoom.map(|(a, b)| (a.max(whole.0), b.min(whole.1)));
+        chosen.filter(|(a, b)| a < b).unwrap_or(whole)
     }
 
     /// Chips for less time, more, the selected span, and all of it.
@@ -84,7 +85,7 @@ impl TimeAxis {
             self.zoom = zoomed(axes.x, time, 1.0 / f64::from(factor), whole);
         } else if sideways != 0.0 && self.zoom.is_some() {
             let shift = -f64::from(sideways / axes.rect.width()) * (axes.x.1 - axes.x.0);
-            let shift = shift.clamp(whole.0 - axes.x.0, whole.1 - axes.x.1);
+            let shift = shift.min(whole.1 - axes.x.1).max(whole.0 - axes.x.0);
             self.zoom = Some((axes.x.0 + shift, axes.x.1 + shift));
         }
         axes.rect.x_range().contains(pointer.x).then_some(time)
@@ -144,6 +145,17 @@ fn zoomed(span: (f64, f64), time: f64, factor: f64, whole: (f64, f64)) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_stretch_that_was_chosen_of_another_flight_is_not_kept() {
+        let axis = TimeAxis {
+            zoom: Some((20.0, 40.0)),
+            ..TimeAxis::default()
+        };
+        assert_eq!(axis.span((0.0, 60.0)), (20.0, 40.0));
+        assert_eq!(axis.span((0.0, 12.0)), (0.0, 12.0));
+        assert_eq!(axis.span((800.0, 1500.0)), (800.0, 1500.0));
+    }
 
     #[test]
     fn what_is_under_the_pointer_stays_there_when_time_is_stretched() {

@@ -277,3 +277,14 @@ fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() 
         }
     }
 }
+
+#[test]
+fn the_plots_show_all_of_a_flight_that_takes_the_place_of_one_of_which_a_part_was_shown() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Less time").click();
+    rig.frames(3);
+    assert!(rig.harness.query_by_label("All time").is_some());
+    Kind::Folder.open(&mut rig);
+    assert_eq!(rig.state()["title"], "Invented");
+    assert!(rig.harness.query_by_label("All time").is_none());
+}

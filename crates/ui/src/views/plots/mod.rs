@@ -99,6 +99,11 @@ impl PlotsView {
         self.drawn
     }
 
+    /// Shows all of the time again: the stretch that was chosen is of another flight.
+    pub fn show_all_time(&mut self) {
+        self.time_axis = TimeAxis::default();
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         ui.spacing_mut().item_spacing.y = 0.5 * context.tokens.space;

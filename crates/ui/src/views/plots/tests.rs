@@ -82,6 +82,29 @@ fn less_time_halves_what_is_shown_and_all_brings_it_back() {
 }
 
 #[test]
+fn a_stretch_of_a_longer_flight_gives_way_to_all_of_this_one_and_the_wheel_moves_nothing() {
+    let mut harness = harness();
+    harness.run();
+    harness.state_mut().view.time_axis.zoom = Some((40.0, 80.0));
+    harness.run();
+    let outer = harness.get_by_label("Distance from truth plot").rect();
+    harness.hover_at(outer.center());
+    harness.run();
+    harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(60.0, 0.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: egui::Modifiers::NONE,
+    });
+    harness.run();
+    let state = harness.state();
+    let whole = state.fixture.flight.span();
+    let shown = state.view.time_axis.span((whole.0, 20.0));
+    assert_eq!(shown, (whole.0, 20.0));
+}
+
+#[test]
 fn two_plots_are_shown_at_first_and_their_choices_are_reached_without_a_pointer() {
     let mut harness = harness();
     harness.run();
