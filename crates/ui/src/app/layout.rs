@@ -422,7 +422,7 @@ fn is_resized(ui: &Ui, panel: egui::IdSalt) -> bool {
 /// The part below the map in a narrow window.
 fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let height = ui.ctx().content_rect().height();
-    let most = (ui.available_height() - LEAST_MAP).clamp(160.0, 0.7 * height);
+    let most = ((ui.available_height() - LEAST_MAP).min(0.7 * height)).max(160.0);
     Panel::bottom("lower")
         .resizable(true)
         .default_size((0.40 * height).min(most))
@@ -593,7 +593,7 @@ fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
     let panel = Panel::bottom(id)
         .resizable(true)
         .default_size(scene.view.strip_height.unwrap_or(STRIP_HEIGHT))
-        .size_range(112.0..=(ui.available_height() - LEAST_MAP).clamp(112.0, 0.5 * screen.height()))
+        .size_range(112.0..=((ui.available_height() - LEAST_MAP).min(0.5 * screen.height())).max(112.0))
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
             if let Some(owner) = views.owner_mut(scene.view.workspace) {

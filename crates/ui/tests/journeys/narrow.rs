@@ -50,6 +50,18 @@ fn at_two_hundred_percent_the_map_keeps_the_room_until_the_column_is_wanted() {
     assert!(rig.rect("/map/rect").height() < map.height() - 100.0);
 }
 
+/// Such as a phone on its side leaves beside its keyboard.
+#[test]
+fn the_page_is_drawn_in_a_window_of_little_height() {
+    for size in [vec2(390.0, 200.0), vec2(1200.0, 200.0)] {
+        let mut rig = touched(size);
+        rig.key(Key::V);
+        rig.key_with(Modifiers::SHIFT, Key::P);
+        rig.frames(3);
+        assert_eq!(rig.state()["workspace"], "Plan");
+    }
+}
+
 #[test]
 fn fingers_have_larger_buttons_until_a_mouse_moves() {
     let mut rig = touched(vec2(820.0, 1180.0));
