@@ -4,7 +4,7 @@ use super::fly_work::FlyJob;
 use super::{App, SideTab};
 use crate::command::Command;
 use crate::context::frame_after;
-use crate::documents::{Documents, Session};
+use crate::documents::{Documents, SAME_BOOKMARK, Session};
 use crate::host::Host;
 use crate::units::Units;
 
@@ -52,13 +52,13 @@ impl App {
             Command::ToggleBookmark => self.toggle_bookmark(),
             Command::PreviousBookmark => {
                 let marks = self.documents.flight.bookmarks.iter().rev();
-                if let Some(mark) = marks.copied().find(|b| *b < time - 0.05) {
+                if let Some(mark) = marks.copied().find(|b| *b < time - SAME_BOOKMARK) {
                     self.seek(mark);
                 }
             }
             Command::NextBookmark => {
                 let marks = self.documents.flight.bookmarks.iter();
-                if let Some(mark) = marks.copied().find(|b| *b > time + 0.05) {
+                if let Some(mark) = marks.copied().find(|b| *b > time + SAME_BOOKMARK) {
                     self.seek(mark);
                 }
             }
@@ -173,7 +173,7 @@ impl App {
         let time = self.playback.time;
         let marks = &mut self.documents.flight.bookmarks;
         let before = marks.len();
-        marks.retain(|b| (b - time).abs() > 0.05);
+        marks.retain(|b| (b - time).abs() > SAME_BOOKMARK);
         if marks.len() == before {
             marks.push(time);
             marks.sort_by(f64::total_cmp);

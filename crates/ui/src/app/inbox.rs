@@ -181,6 +181,7 @@ impl App {
     /// Opens what was open beside a mission when it was saved.
     fn open_beside(&mut self, egui: &egui::Context, host: &mut dyn Host, beside: Option<Beside>) {
         let Some(mut beside) = beside else { return };
+        let is_flight_named = beside.simulation.is_some();
         for feature in &mut self.views.features {
             feature.take_beside(&mut beside);
         }
@@ -191,7 +192,22 @@ impl App {
                 self.fly_over_mission(egui, host, (flight, map));
             }
         }
-        self.documents.flight.bookmarks = beside.bookmarks;
+        } else if is_flight_named || self.may_have_set(&beside.bookmarks) {
+            self.documents.flight.add_bookmarks(beside.bookmarks);
+    }
+
+    /// Whether bookmarks beside a mission of which nobody says over what it was flown may be of the recorded flight that
+    /// is open: it has none of its own, and all of them lie within it.
+    fn may_have_set(&self, bookmarks: &[f64]) -> bool {
+        let documents = &self.documents;
+        let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
+        let is_within = |(first, last): (f64, f64)| {
+            let mut marks = bookmarks.iter();
+            marks.all(|mark| (first..=last).contains(mark))
+        };
+        is_recorded
+            && documents.flight.bookmarks.is_empty()
+            && documents.whole_span().is_some_and(is_within)
     }
 
     fn take_opened(

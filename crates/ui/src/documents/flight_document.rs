@@ -6,6 +6,9 @@ use pilotage_jobs::FlightSource;
 
 use super::{FramePictures, LogFile};
 
+/// Bookmarks closer than this are one, seconds.
+pub const SAME_BOOKMARK: f64 = 0.05;
+
 /// Flight that is open, with what was read and kept beside it.
 #[derive(Debug)]
 pub struct FlightDocument {
@@ -37,6 +40,14 @@ impl FlightDocument {
             flown_camera: CameraAdjustment::default(),
             bookmarks: Vec::new(),
         }
+    }
+
+    /// Adds bookmarks that were saved for it.
+    pub fn add_bookmarks(&mut self, saved: Vec<f64>) {
+        let marks = &mut self.bookmarks;
+        marks.extend(saved);
+        marks.sort_by(f64::total_cmp);
+        marks.dedup_by(|later, kept| *later - *kept <= SAME_BOOKMARK);
     }
 
     /// Leaves it for none.

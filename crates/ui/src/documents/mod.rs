@@ -27,7 +27,7 @@ mod view_panels;
 pub use add::Added;
 pub use brought::Brought;
 pub use empty_mission::empty_mission;
-pub use flight_document::FlightDocument;
+pub use flight_document::{FlightDocument, SAME_BOOKMARK};
 pub use frame_pictures::FramePictures;
 pub use ground::{OpenedTerrain, TERRAIN_KEY};
 pub use history::History;

@@ -26,6 +26,8 @@ pub struct Staged {
     pub camera_to_log: Option<CameraAdjustment>,
     /// Whether what was edited meanwhile is added to it.
     pub keeps_edits: bool,
+    /// Its bookmarks, where they come with it.
+    pub bookmarks: Option<Vec<f64>>,
 }
 
 impl Staged {
@@ -140,6 +142,9 @@ impl Documents {
     }
 
     fn take_staged(&mut self, staged: Staged) {
+        if let Some(bookmarks) = staged.bookmarks {
+            self.flight.add_bookmarks(bookmarks);
+        }
         if let Some(flight) = staged.flight {
             self.flight.measured = Some(flight);
             self.flight.flown_camera = staged.camera_to_log.unwrap_or_default();

@@ -1,0 +1,63 @@
+//! The flight of which a run was made, told by the readings that the run holds.
+
+use pilotage_core::flight::{ChannelName, Flight};
+use pilotage_core::frames::wrap_pi;
+use pilotage_core::navigator::{Control, Run, SensorFault, StepReport};
+
+/// Number of steps that are looked at.
+const LOOKED_AT: usize = 64;
+/// Readings closer than this are the same: what another platform computed differs in the last digits.
+const SAME_READING: f64 = 1e-6;
+
+/// Whether a run was made of a flight: its steps hold what the instruments of that say.
+pub fn is_run_of(run: &Run, flight: &Flight) -> bool {
+    let every = 1 + run.steps.len() / LOOKED_AT;
+    let mut steps = run.steps.iter().step_by(every);
+    steps.all(|step| is_step_of(step, flight))
+}
+
+fn is_step_of(step: &StepReport, flight: &Flight) -> bool {
+    let now = flight.attitude(step.time).unwrap_or_default();
+    let height = flight.value(ChannelName::HeightAboveGround, step.time);
+    let Control {
+        airspeed,
+        heading,
+        roll,
+        pitch,
+        height: flown_at,
+    } = step.control;
+    let is_same = |a: f64, b: f64| (a - b).abs() < SAME_READING;
+    let is_airspeed = match (airspeed, flight.value(ChannelName::Airspeed, step.time)) {
+        (Some(a), Some(b)) => is_same(a, b),
+        (a, b) => a == b,
+    };
+    // A compass that is found to be turned is turned back in the run, not in the flight.
+    let is_turned = |why| matches!(why, SensorFault::Turned { .. });
+    let is_heading = step.doubts.iter().any(|doubt| is_turned(doubt.why))
+        || is_same(wrap_pi(heading - now.yaw), 0.0);
+    is_airspeed
+        && is_heading
+        && is_same(roll, now.roll)
+        && is_same(pitch, now.pitch)
+        && is_same(flown_at, height.unwrap_or(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::views::fixture::Fixture;
+
+    #[test]
+    fn a_run_is_known_by_the_readings_of_its_flight() {
+        let Fixture { mut flight, run, .. } = Fixture::lasting(20.0);
+        assert!(is_run_of(&run, &flight));
+        flight.name = "renamed".to_owned();
+        assert!(is_run_of(&run, &flight));
+        for channel in &mut flight.channels {
+            if channel.name == ChannelName::HeightAboveGround {
+                channel.values.iter_mut().for_each(|height| *height += 1.0);
+            }
+        }
+        assert!(!is_run_of(&run, &flight));
+    }
+}
