@@ -3,11 +3,12 @@
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, unused_pictures};
+use pilotage_core::simulate::SimulationChoice;
 
 use super::App;
 use super::fly_work::{FlyJob, ShownFlight};
 use super::map_work::tell_of_map;
-use crate::documents::{Session, Staged};
+use crate::documents::{Session, Staged, is_run_of};
 use crate::feature::Feature;
 use crate::host::Host;
 use crate::map::MapLayer;
@@ -104,8 +105,25 @@ impl App {
             .begin((flight, map), mission, staged, again, host);
     }
 
-    /// Shows a run out of a file. The flight that is under way beneath it goes on for its pictures.
-    pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) {
+    /// Shows a run out of a file, unless it was made of another flight than the one that is open; whether it was. The
+    /// flight that is under way beneath it goes on for its pictures.
+    pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) -> bool {
+        let flight = self.documents.flight.measured.as_ref();
+        if flight.is_some_and(|flight| !is_run_of(&run, flight)) {
+            let title = "The run was made of another flight";
+            let text = match SimulationChoice::named(&run.name) {
+                Some(choice) => format!(
+                    "It is of \u{201c}{}\u{201d}, or of that with another seed or day. Simulate that, then open the run.",
+                    choice.title
+                ),
+                None => format!(
+                    "It is of \u{201c}{}\u{201d}. Open that flight, then the run.",
+                    run.name
+                ),
+            };
+            self.toasts.trouble(host.now(), title, text);
+            return false;
+        }
         match self.fly_work.job.as_mut().filter(|fly| fly.began()) {
             Some(fly) => {
                 fly.shown = ShownFlight::Pictures;
@@ -115,6 +133,7 @@ impl App {
         }
         self.documents.begin_run_again(run, Staged::default());
         self.documents.run.is_complete = true;
+        true
     }
 
     /// The mission changed in a way that changes the run.

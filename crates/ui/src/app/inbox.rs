@@ -185,15 +185,16 @@ impl App {
         for feature in &mut self.views.features {
             feature.take_beside(&mut beside);
         }
-        if let Some(simulation) = beside.simulation {
-            let flight = FlightSource::Simulated(simulation);
-            if flight != self.documents.flight.source {
-                let map = self.documents.map.source.clone();
-                self.fly_over_mission(egui, host, (flight, map));
+        let flight = beside.simulation.map(FlightSource::Simulated);
+        if let Some(flight) = flight.filter(|it| *it != self.documents.flight.source) {
+            let map = self.documents.map.source.clone();
+            self.fly_over_mission(egui, host, (flight, map));
+            if let Some(fly) = &mut self.fly_work.job {
+                fly.staged.bookmarks = Some(beside.bookmarks);
             }
-        }
         } else if is_flight_named || self.may_have_set(&beside.bookmarks) {
             self.documents.flight.add_bookmarks(beside.bookmarks);
+        }
     }
 
     /// Whether bookmarks beside a mission of which nobody says over what it was flown may be of the recorded flight that
@@ -218,7 +219,7 @@ impl App {
         mut opened: OpenedFiles,
     ) {
         let now = host.now();
-        let has_tables = !opened.tables.is_empty();
+        let has_more = !opened.tables.is_empty() || opened.run.is_some();
         if self.is_taken_first(opening, &mut opened, context, host) {
             return;
         }
@@ -291,12 +292,13 @@ impl App {
                 self.take_mission(host, mission);
                 self.open_beside(context, host, beside);
             }
-            if let Some(run) = run {
+            if let Some(run) = run
+                && self.show_opened_run(host, run)
+            {
                 parts.push("a run");
-                self.show_opened_run(host, run);
             }
         }
-        let adds = !imports.is_empty() || labels.is_some() || is_log || has_tables;
+        let adds = !imports.is_empty() || labels.is_some() || is_log || has_more;
         let mut left = OpenedFiles {
             key,
             flight,

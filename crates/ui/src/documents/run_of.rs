@@ -41,23 +41,3 @@ fn is_step_of(step: &StepReport, flight: &Flight) -> bool {
         && is_same(pitch, now.pitch)
         && is_same(flown_at, height.unwrap_or(0.0))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::views::fixture::Fixture;
-
-    #[test]
-    fn a_run_is_known_by_the_readings_of_its_flight() {
-        let Fixture { mut flight, run, .. } = Fixture::lasting(20.0);
-        assert!(is_run_of(&run, &flight));
-        flight.name = "renamed".to_owned();
-        assert!(is_run_of(&run, &flight));
-        for channel in &mut flight.channels {
-            if channel.name == ChannelName::HeightAboveGround {
-                channel.values.iter_mut().for_each(|height| *height += 1.0);
-            }
-        }
-        assert!(!is_run_of(&run, &flight));
-    }
-}

@@ -2,9 +2,10 @@ use egui::Vec2;
 use pilotage_jobs::{JobEvent, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
+use super::cut::rounds;
 use super::reopen::nothing;
 use super::support::flight::{flight, mission, run, run_head};
-use super::support::{Rig, ScriptedHost, rig_on};
+use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 /// The pictures of the frames `which`, as the flight tells them.
 fn pictures(which: std::ops::Range<usize>) -> Vec<JobEvent> {
@@ -69,4 +70,64 @@ fn the_pictures_go_on_when_a_run_is_opened_while_it_is_flown() {
     assert_eq!(state["run_steps"], 25, "the run out of the file stays");
     assert_eq!(state["ghost_steps"], 0, "what was flown so far is no run");
     assert!(state["job"].is_null(), "{}", state["job"]);
+}
+
+/// Its errors would be measured against the truth of the flight that is open.
+#[test]
+fn a_run_of_another_flight_is_not_shown_over_the_one_that_is_open() {
+    let mut rig = rig();
+    let before = rig.state();
+    let mut other = run(&mission());
+    other.name = "Survey of May".to_owned();
+    for step in &mut other.steps {
+        step.control.height += 30.0;
+    }
+    rig.host().opens = Some(OpenedFiles {
+        run: Some(other),
+        ..nothing()
+    });
+    rig.host().opened.push(vec![OpenedFile {
+        path: "may.run".into(),
+        content: vec![7; 3].into(),
+    }]);
+    rig.frames(6);
+    let state = rig.state();
+    let told = state["toasts"].to_string();
+    assert!(told.contains("Survey of May"), "{told}");
+    assert!(!told.contains("holds nothing"), "{told}");
+    assert_eq!(state["ghost_steps"], before["ghost_steps"]);
+    assert_eq!(state["accepted"], before["accepted"]);
+}
+
+/// A run that was really flown holds what the log says, to the last bit.
+#[test]
+fn a_saved_run_opens_over_its_flight_and_not_over_another() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let open = |rig: &mut Rig, name: &str, bytes: Vec<u8>| {
+        rig.host().opened.push(vec![OpenedFile {
+            path: name.to_owned(),
+            content: bytes.into(),
+        }]);
+        rig.settle();
+    };
+    open(&mut rig, "rounds.log", rounds());
+    let steps = rig.state()["run_steps"].clone();
+    assert!(steps.as_u64() > Some(1000), "{steps}");
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::K);
+    rig.harness.event(egui::Event::Text("save the run".into()));
+    rig.frames(2);
+    rig.key(egui::Key::Enter);
+    let (name, bytes) = rig.host().saved.pop().expect("a file");
+    open(&mut rig, "renamed.log", rounds());
+    open(&mut rig, &name, bytes.clone());
+    assert_eq!(rig.state()["ghost_steps"], steps, "it was shown");
+    let faster = String::from_utf8(rounds()).expect("a text log");
+    let faster = faster.replace(", 20\n", ", 21\n");
+    open(&mut rig, "faster.log", faster.into_bytes());
+    let ghost = rig.state()["ghost_steps"].clone();
+    open(&mut rig, &name, bytes);
+    let told = rig.state()["toasts"].to_string();
+    assert!(told.contains("made of another flight"), "{told}");
+    assert_eq!(rig.state()["ghost_steps"], ghost);
 }
