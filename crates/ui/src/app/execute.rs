@@ -231,12 +231,13 @@ impl App {
         }
     }
 
-    /// Stops the flight under way, or else the work of the first that has any.
+    /// Stops the flight under way, or else the work that the top bar tells of, or else that of the first that has any.
     fn cancel_job(&mut self, egui: &egui::Context, host: &mut dyn Host) {
         if self.fly_work.job.is_none() {
-            let _ = self.stop_features(egui, host)
+            let _ = self.stop_features(true, egui, host)
                 || self.openings.stop(host)
-                || self.map_work.stop(&mut self.toasts, host);
+                || self.map_work.stop(&mut self.toasts, host)
+                || self.stop_features(false, egui, host);
             return;
         }
         self.documents.run.is_complete |= self.fly_work.job.as_ref().is_some_and(FlyJob::began);

@@ -260,11 +260,18 @@ impl App {
         true
     }
 
-    /// Stops the work of the first feature that has any; whether one had.
-    pub(super) fn stop_features(&mut self, egui: &egui::Context, host: &mut dyn Host) -> bool {
+    /// Stops the work of the first feature that has any, among those that tell how far it is or among all; whether one
+    /// had.
+    pub(super) fn stop_features(
+        &mut self,
+        is_told: bool,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) -> bool {
         let mut had_work = false;
         for index in 0..self.views.features.len() {
-            if !had_work {
+            let is_meant = !is_told || self.views.features[index].progress().is_some();
+            if is_meant && !had_work {
                 self.with_feature(index, egui, host, &mut |feature, context| {
                     had_work = feature.stop(context);
                 });

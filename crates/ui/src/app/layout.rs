@@ -593,7 +593,9 @@ fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
     let panel = Panel::bottom(id)
         .resizable(true)
         .default_size(scene.view.strip_height.unwrap_or(STRIP_HEIGHT))
-        .size_range(112.0..=((ui.available_height() - LEAST_MAP).min(0.5 * screen.height())).max(112.0))
+        .size_range(
+            112.0..=((ui.available_height() - LEAST_MAP).min(0.5 * screen.height())).max(112.0),
+        )
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
             if let Some(owner) = views.owner_mut(scene.view.workspace) {

@@ -133,6 +133,9 @@ impl Feature for CameraLogFeature {
                 self.refresh(context.documents);
                 self.estimate(context);
             }
+            CameraLogCommand::Stop => {
+                self.job.stop(context);
+            }
             CameraLogCommand::FlyAndEstimate => self.fly_and_estimate(context),
             CameraLogCommand::Believe(clock) => work.clock = *clock,
             CameraLogCommand::Adjust(change) => work.by_hand = Some(**change),

@@ -24,6 +24,8 @@ pub enum CameraLogCommand {
     Close,
     /// Estimate it from the run as it is.
     Estimate,
+    /// Stop estimating it.
+    Stop,
     /// Lay whole pictures on the map in another run, then estimate.
     FlyAndEstimate,
     /// Believe the camera's clock before to be right within so many seconds (standard deviation).

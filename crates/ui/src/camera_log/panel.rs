@@ -58,7 +58,7 @@ impl CameraLogView {
                 if let Some(words) = &scene.job.words
                     && at_work(ui, tokens, words)
                 {
-                    context.commands.push(Command::CancelJob);
+                    send(context, Do::Stop);
                 }
                 if let Some(trouble) = &scene.job.trouble {
                     wrapped(ui, tokens.warning, trouble);

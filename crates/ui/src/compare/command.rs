@@ -32,6 +32,8 @@ pub enum CompareCommand {
     KeepSmoothed,
     /// Fly the flight that is open by every estimator.
     FlyAll,
+    /// Stop flying it by every estimator.
+    StopFlights,
     /// Let go of one.
     Discard(u32),
     /// Draw one on the map, or not.

@@ -4,7 +4,6 @@ use egui::{RichText, Ui};
 use pilotage_core::study::{ComparisonRow, EstimatorComparison};
 
 use super::command::CompareCommand;
-use crate::command::Command;
 use crate::context::ViewContext;
 use crate::feature::FeatureWork;
 use crate::shell::{at_work, text_button};
@@ -32,7 +31,7 @@ impl ContestState {
         ));
         if let Some(words) = &self.work.words {
             if at_work(ui, tokens, words) {
-                context.commands.push(Command::CancelJob);
+                context.commands.push(CompareCommand::StopFlights.into());
             }
         } else if text_button(ui, tokens, None, "Fly by all estimators", false).clicked() {
             context.commands.push(CompareCommand::FlyAll.into());

@@ -160,10 +160,13 @@ impl Compare {
         }
     }
 
-    fn stop_smoothing(&mut self, context: &mut FeatureContext<'_>) {
-        if let Some((job, _)) = self.smoothing.take() {
-            context.cancel(job);
+    /// Stops smoothing a run; whether one was being smoothed.
+    fn stop_smoothing(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        let smoothing = self.smoothing.take();
+        if let Some((job, _)) = &smoothing {
+            context.cancel(*job);
         }
+        smoothing.is_some()
     }
 
     /// Flies what is open by every estimator.
@@ -196,6 +199,9 @@ impl Feature for Compare {
             CompareCommand::Keep(id) => self.keep(id, context),
             CompareCommand::KeepSmoothed => self.smooth(context),
             CompareCommand::FlyAll => self.fly_by_all(context),
+            CompareCommand::StopFlights => {
+                self.contest.work.stop(context);
+            }
             CompareCommand::Discard(number) => self.shelf.discard(number),
             CompareCommand::ToggleShown(number) => self.shelf.toggle_shown(number),
         }
@@ -229,7 +235,7 @@ impl Feature for Compare {
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        self.contest.work.stop(context)
+        self.contest.work.stop(context) || self.stop_smoothing(context)
     }
 
     /// Forgets the contest; trajectories that were kept stay, to be compared with other flights.

@@ -94,6 +94,9 @@ impl Feature for Outages {
         };
         match *command {
             OutageCommand::Show => context.show(),
+            OutageCommand::Stop => {
+                self.stop(context);
+            }
             OutageCommand::Clear => {
                 self.stop(context);
                 *self = Self::default();

@@ -7,7 +7,6 @@ use pilotage_core::flight::with_moments;
 use super::chart::{colour, growth_chart};
 use super::state::{OutageCommand, Outages, measures_airspeed};
 use super::wind::winds;
-use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{at_work, text_button, whole_sentences};
 use crate::units::clock;
@@ -46,7 +45,7 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outage
     if let Some(words) = &outages.work.words
         && at_work(ui, tokens, words)
     {
-        context.commands.push(Command::CancelJob);
+        context.commands.push(OutageCommand::Stop.into());
     }
     if let Some(trouble) = &outages.work.trouble {
         let sentence = whole_sentences(std::slice::from_ref(trouble));

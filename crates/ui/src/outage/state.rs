@@ -21,6 +21,8 @@ pub enum OutageCommand {
     Of(f64, f64),
     /// Cut it again and again, for so many seconds each.
     Study(f64),
+    /// Stop what is being computed.
+    Stop,
     /// Let go of the cut.
     Clear,
 }

@@ -2,6 +2,7 @@
 
 use egui_kittest::kittest::Queryable as _;
 use pilotage_jobs::Job;
+use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
 use super::support::{Rig, rig};
@@ -148,4 +149,54 @@ fn a_contest_under_way_can_be_stopped_after_a_run_was_smoothed() {
     rig.frames(2);
     rig.key(egui::Key::Enter);
     assert_eq!(rig.host().cancelled, [contest]);
+}
+
+#[test]
+fn stop_beside_a_computation_stops_that_one_alone() {
+    let mut rig = rig();
+    rig.host().left = Some(|job| matches!(job, Job::Contest(_) | Job::Fly(_)));
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Fly by all estimators").click();
+    rig.frames(4);
+    rig.open_tab("GPS outage");
+    rig.harness.get_by_label("Cut 60 s from here").click();
+    rig.frames(4);
+    rig.key(egui::Key::R);
+    rig.frames(3);
+    assert!(!rig.state()["job"].is_null(), "a flight is under way");
+    let id_of = |rig: &mut Rig, is_it: fn(&Job) -> bool| {
+        let jobs = &rig.host().jobs;
+        let found = jobs.iter().rev().find(|(_, job)| is_it(job));
+        found.expect("a job").0
+    };
+    let outage = id_of(&mut rig, |job| matches!(job, Job::Outage(_)));
+    let contest = id_of(&mut rig, |job| matches!(job, Job::Contest(_)));
+    rig.harness.get_by_label("Stop").click();
+    rig.frames(3);
+    assert_eq!(rig.host().cancelled, [outage]);
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Stop").click();
+    rig.frames(3);
+    assert_eq!(rig.host().cancelled, [outage, contest]);
+}
+
+#[test]
+fn stop_in_the_top_bar_stops_the_work_of_which_it_tells() {
+    let mut rig = rig();
+    rig.host().left = Some(|job| matches!(job, Job::Contest(_)));
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Fly by all estimators").click();
+    rig.frames(4);
+    rig.host().opened.push(vec![OpenedFile {
+        path: "large.tif".into(),
+        content: vec![7; 3].into(),
+    }]);
+    rig.frames(3);
+    assert_eq!(rig.state()["job"]["words"], "Opening large.tif");
+    rig.harness.get_by_label("Stop computing").click();
+    rig.frames(3);
+    let opening = rig.host().jobs.iter().rev();
+    let opening = opening.clone().find(|(_, job)| matches!(job, Job::Open(_)));
+    let opening = opening.expect("files are looked at").0;
+    assert_eq!(rig.host().cancelled, [opening]);
 }
