@@ -3,7 +3,7 @@
 use crate::state_json::{object, object_of};
 use egui::Rect;
 use pilotage_core::imagery::terrain::Terrain as _;
-use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
+use pilotage_core::navigator::{RegistrationReport, Run};
 use serde_json::{Value, json};
 
 use super::dialogs::Dialogs;
@@ -15,6 +15,7 @@ use crate::feature::examined;
 use crate::shell::Toasts;
 use crate::timeline::Playback;
 use crate::units::clock;
+use crate::views::inspector::sentence::placed_by;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
@@ -277,11 +278,11 @@ impl Report<'_> {
             return time;
         };
         let radius = self.view.units.short(step.radius_held());
-        let state = if run.frame_step_at(now).is_some_and(StepReport::corrected) {
-            "corrected by landmarks"
-        } else {
-            "dead reckoning"
-        };
+        let index = run.index_at(now).unwrap_or_default();
+        let state = placed_by(run, index).map_or_else(
+            || "dead reckoning".to_owned(),
+            |by| format!("corrected by {by}"),
+        );
         format!("{time} The aircraft is {state}, its position within {radius} (95 %).")
     }
 }

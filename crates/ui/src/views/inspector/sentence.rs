@@ -99,6 +99,26 @@ fn by_aids(step: &StepReport, units: Units) -> String {
     )
 }
 
+/// Name of everything that told the place last, at step `index` or a moment before; `None` while the aircraft is dead
+/// reckoning.
+pub(crate) fn placed_by(run: &Run, index: usize) -> Option<String> {
+    let now = run.steps.get(index)?.time;
+    let step = &run.steps[picking::last_correction(run, index)?];
+    if now - step.time > DEAD_RECKONING_AFTER {
+        return None;
+    }
+    let frame = step.frame.as_ref().filter(|frame| frame.joint.is_some());
+    let of_frame = frame.map(|frame| match &frame.laid {
+        Some(laid) if laid.is_believed() => "the whole picture",
+        _ => "landmarks",
+    });
+    let all: Vec<&str> = of_frame
+        .into_iter()
+        .chain(step.placed_by().map(|aid| aid.label))
+        .collect();
+    Some(all.join(" and "))
+}
+
 /// Place of a whole picture, and its correction of the estimate, in words.
 fn whole_picture(
     step: &StepReport,
@@ -368,6 +388,27 @@ mod tests {
         assert!(!fixture.run.steps[index].is_placed());
         let text = of(&fixture, index);
         assert!(!text.contains("moved the estimate"), "{text}");
+    }
+
+    #[test]
+    fn the_place_is_told_by_what_told_it_last_and_by_nothing_after_a_while() {
+        let mut fixture = Fixture::lasting(15.0);
+        let last = picking::last_correction(&fixture.run, fixture.run.steps.len() - 1).unwrap();
+        let told = |fixture: &Fixture, index| placed_by(&fixture.run, index);
+        assert_eq!(told(&fixture, last).as_deref(), Some("landmarks"));
+        let alone = fixture.run.steps[last].clone();
+        for late in [1.9, 2.1, 60.0] {
+            let mut step = alone.clone();
+            (step.frame, step.time) = (None, alone.time + late);
+            fixture.run.steps.truncate(last + 1);
+            fixture.run.steps.push(step);
+            assert_eq!(told(&fixture, last + 1).is_some(), late < 2.0, "{late} s");
+        }
+        let gain = Some(nalgebra::DMatrix::zeros(4, 2));
+        fixture.run.steps[last + 1]
+            .updates
+            .push(reading_of_gps(1.0, gain));
+        assert_eq!(told(&fixture, last + 1).as_deref(), Some("GPS position"));
     }
 
     #[test]
