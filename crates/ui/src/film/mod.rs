@@ -59,7 +59,17 @@ impl Films {
             return context.note("There is nothing to film", text);
         };
         let (from, to) = context.playback.selected_span.unwrap_or(whole);
-        let span = (from, to.min(last));
+        if from >= last {
+            let text = format!(
+                "The flight is flown up to {} so far; the selected time begins at {}.",
+                clock(last, whole.0),
+                clock(from, whole.0)
+            );
+            return context.note("There is nothing to film yet", text);
+        }
+        // The replay waits for what is still being flown.
+        let goes_on = !documents.run.is_complete;
+        let span = (from, if goes_on { to } else { to.min(last) });
         let ending = context.host.start_film();
         if ending.is_empty() {
             let text =

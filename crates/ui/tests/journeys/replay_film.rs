@@ -1,6 +1,8 @@
 use egui::{Key, Modifiers};
+use pilotage_jobs::JobEvent;
 use serde_json::Value;
 
+use super::scrub::{HALF, half_flown};
 use super::support::{Rig, rig};
 
 fn film(rig: &mut Rig) {
@@ -50,4 +52,39 @@ fn a_film_ends_when_asked_for_again_or_when_the_replay_is_stopped() {
         }
         assert_eq!(rig.host().films.len(), 2);
     }
+}
+
+#[test]
+fn a_film_waits_for_what_is_still_flown() {
+    let (mut rig, id, rest) = half_flown();
+    let wait = |rig: &mut Rig, frames: usize| {
+        for _ in 0..frames {
+            rig.host().now += 100.0;
+            rig.frames(1);
+        }
+    };
+    film(&mut rig);
+    wait(&mut rig, 300);
+    assert_eq!(number(&rig.state()["time"]), HALF);
+    assert_eq!(rig.host().films, ["begun"]);
+    let events = [JobEvent::Steps(rest), JobEvent::Finished];
+    rig.host().events.extend(events.map(|event| (id, event)));
+    wait(&mut rig, 50);
+    assert!(number(&rig.state()["time"]) > HALF + 1.0);
+    assert_eq!(rig.host().films, ["begun"]);
+    wait(&mut rig, 200);
+    assert_eq!(rig.host().films.len(), 2);
+}
+
+#[test]
+fn nothing_is_filmed_of_a_time_that_is_not_flown() {
+    let (mut rig, ..) = half_flown();
+    let strip = rig.rect("/timeline");
+    let at = |part: f32| egui::pos2(strip.left() + part * strip.width(), strip.center().y);
+    rig.drag_with(Modifiers::SHIFT, at(0.7), at(0.9));
+    assert!(rig.state()["selected"].is_array());
+    film(&mut rig);
+    assert_eq!(rig.host().films, Vec::<String>::new());
+    let told = rig.state()["toasts"].to_string();
+    assert!(told.contains("flown up to 0:29"), "{told}");
 }
