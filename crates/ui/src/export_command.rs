@@ -34,7 +34,7 @@ pub enum ExportCommand {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportedFile {
     /// Its content.
-    pub what: &'static str,
+    pub what: String,
     /// Name of its format.
     pub format: &'static str,
     /// Its name.

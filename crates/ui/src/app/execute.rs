@@ -1,5 +1,7 @@
 //! Commands carried out, once a frame, after everything is drawn.
 
+use pilotage_core::navigator::Run;
+
 use super::fly_work::FlyJob;
 use super::{App, SideTab};
 use crate::command::Command;
@@ -146,18 +148,19 @@ impl App {
         }
     }
 
-    /// Moves the cursor to a time, seconds, or to the end of what is flown: beyond it nothing is known yet, and what was
-    /// known last would stand there as though it were of that time.
-    fn seek(&mut self, time: f64) {
-        let run = &self.documents.run;
-        let flown = run.navigated.as_ref().filter(|_| !run.is_complete);
-        let flown = flown.and_then(pilotage_core::navigator::Run::span);
-        let time = time.min(flown.map_or(f64::INFINITY, |span| span.1));
+    /// Moves the cursor to a time, seconds, or to the end of what is flown.
+    pub(super) fn seek(&mut self, time: f64) {
+        let time = time.min(self.documents.flown_until().unwrap_or(f64::INFINITY));
         self.playback.seek(time, self.documents.span());
     }
 
     fn toggle_play(&mut self) {
-        let span = self.documents.span();
+        let documents = &self.documents;
+        let flown = documents.run.navigated.as_ref().and_then(Run::span);
+        let flown = flown.filter(|_| documents.run.is_complete);
+        // Replay ends with the run, once nothing more of that comes.
+        let end = flown.map_or(f64::INFINITY, |(_, last)| last);
+        let span = documents.span().map(|(first, last)| (first, last.min(end)));
         let playback = &mut self.playback;
         playback.playing = !playback.playing;
         let at_end = span.is_some_and(|(_, last)| playback.time >= last - 1e-6);
@@ -243,7 +246,10 @@ impl App {
         self.documents.run.is_complete |= self.fly_work.job.as_ref().is_some_and(FlyJob::began);
         self.fly_work.stop(host);
         self.tell_of_run_over(false, egui, host);
-        let text = "What had been computed stays on screen.";
+        self.seek(self.playback.time);
+        let part = self.documents.part_flown();
+        let part = part.map_or_else(String::new, |part| format!(": {part}"));
+        let text = format!("What had been computed stays on screen{part}.");
         self.toasts.note(host.now(), "Stopped", text);
     }
 

@@ -232,6 +232,7 @@ impl App {
                 self.fly_work.job = None;
                 self.tell_of_run_over(false, egui, host);
                 self.documents.run.is_complete |= began;
+                self.seek(self.playback.time);
                 let log = self.documents.flight.log.as_mut().filter(|_| is_of_log);
                 let kept = if began {
                     "What had been computed stays."

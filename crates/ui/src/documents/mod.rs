@@ -6,6 +6,7 @@ mod edit;
 mod empty_mission;
 mod findings;
 mod flight_document;
+mod flown;
 mod frame_pictures;
 mod ground;
 mod history;

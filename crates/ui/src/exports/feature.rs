@@ -183,7 +183,9 @@ fn save_run(context: &mut FeatureContext<'_>) {
         Some(Ok(bytes)) => {
             let name = format!("{}.run", stem(&context.documents.mission.name));
             context.host.save_file(&name, &bytes);
-            context.note("Run saved", name);
+            let part = context.documents.part_flown();
+            let part = part.map_or_else(String::new, |part| format!(": {part}"));
+            context.note("Run saved", format!("{name}{part}"));
         }
         Some(Err(error)) => context.trouble(title, error.to_string()),
         None => {}

@@ -15,7 +15,7 @@ pub(super) fn route_file(
     let route = context.documents.mission.selected_route()?;
     let mission = &context.documents.mission;
     let file = ExportedFile {
-        what: "Route",
+        what: "Route".to_owned(),
         format: format.name(),
         name: format!("{}.{}", stem(&route.name), format.extensions()[0]),
     };
@@ -38,7 +38,7 @@ pub(super) fn landmarks_file(
     let mission = &context.documents.mission;
     let (name, extension) = (stem(&mission.name), format.extensions()[0]);
     let file = ExportedFile {
-        what: "Landmarks",
+        what: "Landmarks".to_owned(),
         format: format.name(),
         name: format!("{name}-landmarks.{extension}"),
     };
@@ -59,7 +59,7 @@ pub(super) fn rally_file(context: &FeatureContext<'_>) -> (ExportedFile, ExportO
     let format = Format::Waypoints;
     let (name, extension) = (stem(&mission.name), format.extensions()[0]);
     let file = ExportedFile {
-        what: "Rally points",
+        what: "Rally points".to_owned(),
         format: format.name(),
         name: format!("{name}-rally.{extension}"),
     };

@@ -16,8 +16,10 @@ pub(super) fn track_file(
 ) -> Option<(ExportedFile, ExportOrder)> {
     let track = flown_track(context)?;
     let name = stem(&context.documents.mission.name);
+    let part = context.documents.part_flown();
+    let part = part.map_or_else(String::new, |part| format!(" ({part})"));
     let file = ExportedFile {
-        what: "Flown track",
+        what: format!("Flown track{part}"),
         format: format.name(),
         name: format!("{name}-track.{}", format.extensions()[0]),
     };

@@ -113,7 +113,7 @@ pub(super) fn export_labels(format: LabelFormat, context: &mut FeatureContext<'_
         landmarks: mission.landmarks.clone(),
     };
     let file = ExportedFile {
-        what: "Labels",
+        what: "Labels".to_owned(),
         format: format.name(),
         name: format!("{}-{}", stem(&mission.name), format.ending()),
     };

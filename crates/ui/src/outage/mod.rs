@@ -80,7 +80,7 @@ impl Outages {
 /// Positions that the whole run found in the pictures, and what to call them; `None` without any.
 fn seen(documents: &Documents) -> Option<(String, Vec<PositionFix>)> {
     let run = documents.run.navigated.as_ref();
-    OutageOrder::seen_by(run.filter(|_| documents.run.is_complete)?)
+    OutageOrder::seen_by(run.filter(|_| documents.is_run_whole())?)
 }
 
 impl Feature for Outages {

@@ -1,10 +1,11 @@
 use egui::accesskit::{Action, ActionData, ActionRequest, Role, TreeId};
-use egui::{Event, Key, Pos2, Vec2};
+use egui::{Event, Key, Modifiers, Pos2, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pilotage_jobs::JobEvent;
+use pilotage_core::navigator::StepReport;
+use pilotage_jobs::{JobEvent, JobId};
 
 use super::support::flight::{flight, mission, run, run_head};
-use super::support::{ScriptedHost, rig, rig_on};
+use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 #[test]
 fn a_drag_on_the_timeline_moves_the_time_cursor() {
@@ -33,8 +34,8 @@ fn arrows_step_by_camera_frames() {
     assert_eq!(rig.state()["time"], rig.state()["span"][1]);
 }
 
-#[test]
-fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
+/// A flight of 60 s of which half is flown so far: its job, and the other half.
+pub fn half_flown() -> (Rig, JobId, Vec<StepReport>) {
     let host = ScriptedHost {
         silent_flights: true,
         ..ScriptedHost::default()
@@ -43,8 +44,7 @@ fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
     let id = rig.host().last_flight().expect("a flight").0;
     let mission = mission();
     let mut steps = run(&mission).steps;
-    steps.truncate(steps.len() / 2);
-    let last = steps.last().expect("steps").time;
+    let rest = steps.split_off(steps.len() / 2);
     let events = [
         JobEvent::Flight(Box::new(flight())),
         JobEvent::Mission(Box::new(mission.clone())),
@@ -53,6 +53,16 @@ fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
     ];
     rig.host().events.extend(events.map(|event| (id, event)));
     rig.frames(3);
+    (rig, id, rest)
+}
+
+/// Time of the last step that `half_flown` has, seconds.
+pub const HALF: f64 = 299.0 * 0.1;
+
+#[test]
+fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
+    let (mut rig, ..) = half_flown();
+    let last = HALF;
     rig.key(Key::End);
     let state = rig.state();
     assert_eq!(state["time"].as_f64(), Some(last));
@@ -65,6 +75,41 @@ fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
     assert_eq!(rig.state()["time"].as_f64(), Some(last));
     rig.key(Key::ArrowRight);
     assert_eq!(rig.state()["time"].as_f64(), Some(last));
+}
+
+#[test]
+fn a_flight_that_is_stopped_or_fails_ends_where_it_was_flown_to() {
+    for is_stopped in [true, false] {
+        let (mut rig, id, _) = half_flown();
+        if is_stopped {
+            rig.harness.get_by_label("Stop computing").click();
+        } else {
+            let failed = JobEvent::Failed("The filter broke.".to_owned());
+            rig.host().events.push((id, failed));
+        }
+        rig.frames(3);
+        assert_eq!(rig.state()["run_complete"], true);
+        rig.key(Key::End);
+        assert_eq!(rig.state()["time"].as_f64(), Some(HALF));
+        // What is saved of it says so.
+        for words in ["save the run", "save the flown track as csv"] {
+            rig.key_with(Modifiers::COMMAND, Key::K);
+            rig.harness.event(Event::Text(words.into()));
+            rig.frames(2);
+            rig.key(Key::Enter);
+            rig.frames(3);
+            let told = rig.state()["toasts"].to_string();
+            assert!(told.contains("the first 30 s of 60 s"), "{words}: {told}");
+        }
+        // Play begins anew at the end, also where the replay does not repeat itself.
+        rig.key(Key::L);
+        rig.key(Key::End);
+        rig.key(Key::Space);
+        rig.frames(3);
+        let state = rig.state();
+        assert_eq!(state["playing"], true);
+        assert!(state["time"].as_f64() < Some(5.0), "{}", state["time"]);
+    }
 }
 
 #[test]
