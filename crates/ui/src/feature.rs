@@ -369,6 +369,8 @@ pub struct FeatureWork {
     pub words: Option<String>,
     /// Why the last one failed.
     pub trouble: Option<String>,
+    /// Remarks of the last one.
+    pub remarks: Vec<String>,
 }
 
 impl FeatureWork {
@@ -378,7 +380,7 @@ impl FeatureWork {
         *self = Self {
             job: Some(context.start(job)),
             words: Some(words),
-            trouble: None,
+            ..Self::default()
         };
     }
 
@@ -389,6 +391,7 @@ impl FeatureWork {
                 self.words = Some(format!("{words}: {:.0} %", 100.0 * share));
             }
             JobEvent::Failed(why) => self.trouble = Some(why.clone()),
+            JobEvent::Remark(text) => self.remarks.push(text.clone()),
             _ => {}
         }
         if event.is_last() {

@@ -2,9 +2,11 @@
 
 use egui::{RichText, Ui};
 use pilotage_core::study::{ComparisonRow, EstimatorComparison};
+use pilotage_jobs::ContestOrder;
 
 use super::command::CompareCommand;
 use crate::context::ViewContext;
+use crate::documents::Documents;
 use crate::feature::FeatureWork;
 use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
@@ -16,11 +18,29 @@ pub struct ContestState {
     pub work: FeatureWork,
     /// Comparison of the estimators.
     pub found: Option<EstimatorComparison>,
+    /// Order of which that came, or comes.
+    pub order: Option<ContestOrder>,
 }
 
 impl ContestState {
-    /// Draws it: a button, or how far it is, and the table.
-    pub(super) fn show(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+    /// Whether the mission or the map is another one than that which was judged.
+    pub(super) fn is_of_before(&self, documents: &Documents) -> bool {
+        self.order.as_ref().is_some_and(|order| {
+            let [then, now] = [&order.mission, &*documents.mission].map(|it| &it.navigator);
+            let flown = |settings| {
+                let first = order.contenders.first();
+                first.map(|contender| contender.settings(settings, order.seed))
+            };
+            // The estimator is the contest's own.
+            then.vehicle != now.vehicle
+                || flown(then) != flown(now)
+                || order.map != documents.map.source
+                || documents.is_seen_otherwise(&order.mission)
+        })
+    }
+
+    /// Draws it: a button, or how far it is, and the table, which may be of the mission as it was before.
+    pub(super) fn show(&self, ui: &mut Ui, context: &mut ViewContext<'_>, is_of_before: bool) {
         let tokens = context.tokens;
         let small = |text: &str| {
             let text = RichText::new(text).size(tokens.text_sizes[0]);
@@ -39,34 +59,56 @@ impl ContestState {
         if let Some(why) = &self.work.trouble {
             ui.label(RichText::new(why).color(tokens.warning));
         }
-        let Some(found) = &self.found else { return };
-        let (factor, unit) = context.units.length();
-        let titles = ["RMS", "median", "most", "NEES"].map(str::to_owned);
-        table::heads(ui, tokens, &titles, |ui| {
-            ui.label(small(&format!("error, {unit}")));
-        });
-        for row in &found.rows {
-            let cells = figures(row, factor);
-            table::named_row(ui, tokens, &cells, (&name(row), 0.0), |ui| {
-                let label = RichText::new(name(row)).size(tokens.text_sizes[1]);
-                let hint = format!(
-                    "{}: {:.3} ms a step, {} landmarks accepted, {} refused",
-                    name(row),
-                    row.ms_per_step,
-                    row.updates_accepted,
-                    row.updates_refused
-                );
-                ui.add(egui::Label::new(label).truncate())
-                    .on_hover_text(hint);
-            });
+        for remark in &self.work.remarks {
+            ui.add(egui::Label::new(RichText::new(remark).color(tokens.warning)).wrap());
         }
-        let honest = found.rows.iter().filter_map(|row| row.nees);
-        if let Some(bounds) = honest.into_iter().next() {
-            ui.label(small(&format!(
+        let Some(found) = &self.found else { return };
+        if is_of_before {
+            let words = "Of the mission before: its landmarks, settings or map have changed since.";
+            ui.add(egui::Label::new(RichText::new(words).color(tokens.warning)).wrap());
+        }
+        ui.scope(|ui| {
+            if is_of_before {
+                ui.multiply_opacity(0.5);
+            }
+            table_of(ui, context, found);
+        });
+    }
+}
+
+/// Draws the table of a contest.
+fn table_of(ui: &mut Ui, context: &ViewContext<'_>, found: &EstimatorComparison) {
+    let tokens = context.tokens;
+    let small = |text: &str| {
+        let text = RichText::new(text).size(tokens.text_sizes[0]);
+        text.color(tokens.muted)
+    };
+    let (factor, unit) = context.units.length();
+    let titles = ["RMS", "median", "most", "NEES"].map(str::to_owned);
+    table::heads(ui, tokens, &titles, |ui| {
+        ui.label(small(&format!("error, {unit}")));
+    });
+    for row in &found.rows {
+        let cells = figures(row, factor);
+        table::named_row(ui, tokens, &cells, (&name(row), 0.0), |ui| {
+            let label = RichText::new(name(row)).size(tokens.text_sizes[1]);
+            let hint = format!(
+                "{}: {:.3} ms a step, {} landmarks accepted, {} refused",
+                name(row),
+                row.ms_per_step,
+                row.updates_accepted,
+                row.updates_refused
+            );
+            ui.add(egui::Label::new(label).truncate())
+                .on_hover_text(hint);
+        });
+    }
+    let honest = found.rows.iter().filter_map(|row| row.nees);
+    if let Some(bounds) = honest.into_iter().next() {
+        ui.label(small(&format!(
                 "The NEES of an honest filter is {:.0} on average; one flight of one may lie between {:.2} and {:.1}.",
                 bounds.dof, bounds.lower_95, bounds.upper_95
             )));
-        }
     }
 }
 

@@ -177,8 +177,9 @@ impl Compare {
             documents.map.source.clone(),
             documents.mission.clone(),
         );
-        let job = Job::Contest(Box::new(order));
+        let job = Job::Contest(Box::new(order.clone()));
         self.contest.found = None;
+        self.contest.order = Some(order);
         self.contest
             .work
             .begin("Beginning".to_owned(), job, context);
@@ -214,6 +215,7 @@ impl Feature for Compare {
             generations: [documents.run.generation, documents.run.ghost_generation],
             is_complete: documents.run.is_complete,
             contest: &self.contest,
+            is_contest_of_before: self.contest.is_of_before(documents),
             utc_at_zero: utc_at_zero(documents),
         };
         self.view.show(ui, context, &scene);
@@ -245,7 +247,7 @@ impl Feature for Compare {
         self.stop_smoothing(context);
     }
 
-    fn state(&self, _documents: &Documents) -> Value {
+    fn state(&self, documents: &Documents) -> Value {
         let kept = self.shelf.kept().iter();
         let kept = kept.map(|k| json!({"name": k.track.name, "shown": k.is_shown}));
         let errors = self.view.found().map(|(name, errors)| {
@@ -261,6 +263,7 @@ impl Feature for Compare {
                 let errors = found.rows.iter().map(|row| row.position_error_m);
                 errors.map(|error| error.map(|error| error.rms)).collect::<Vec<_>>()
             }),
+            "contest_of_before": self.contest.is_of_before(documents),
             "errors": errors.collect::<Vec<_>>(),
         })
     }

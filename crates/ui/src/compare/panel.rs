@@ -109,7 +109,7 @@ impl CompareView {
         }
         ui.add_space(tokens.space);
         if context.run.is_some() {
-            scene.contest.show(ui, context);
+            scene.contest.show(ui, context, scene.is_contest_of_before);
             ui.add_space(tokens.space);
         }
         choice(ui, context, "Times", &CLOCKS, &mut self.settings.clock);

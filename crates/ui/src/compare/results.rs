@@ -51,6 +51,8 @@ pub struct CompareScene<'a> {
     pub is_complete: bool,
     /// Every estimator on the flight that is open.
     pub contest: &'a ContestState,
+    /// Whether that judged the mission as it was before.
+    pub is_contest_of_before: bool,
     /// Seconds since 1970 at the flight's time zero, where known.
     pub utc_at_zero: Option<f64>,
 }

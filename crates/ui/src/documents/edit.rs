@@ -3,6 +3,7 @@
 use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, ROAD_MAP};
 
 use super::Documents;
@@ -116,16 +117,20 @@ impl Documents {
         ROAD_MAP.of(&self.mission.navigator.aids).is_some()
     }
 
-    fn replace_mission(&mut self, mission: pilotage_core::mission::Mission) -> bool {
-        let camera_differs = self.mission.camera_to_log != mission.camera_to_log;
-        let affected = camera_differs
-            || self.mission.navigator != mission.navigator
+    /// Whether a flight by another mission, with the same settings of the navigator, would be another run.
+    pub fn is_seen_otherwise(&self, mission: &Mission) -> bool {
+        self.mission.camera_to_log != mission.camera_to_log
             || self.uses_roads() && self.mission.roads != mission.roads
             || self.mission.landmarks.len() != mission.landmarks.len()
             || std::iter::zip(&self.mission.landmarks, &mission.landmarks).any(|(a, b)| {
                 let of = |l: &Landmark| (l.id, l.bounds, l.enabled, l.reference, l.height);
                 of(a) != of(b) || a.detector_in_use() != b.detector_in_use()
-            });
+            })
+    }
+
+    fn replace_mission(&mut self, mission: Mission) -> bool {
+        let affected =
+            self.mission.navigator != mission.navigator || self.is_seen_otherwise(&mission);
         self.mission.content = mission;
         self.mission.is_edited = true;
         affected

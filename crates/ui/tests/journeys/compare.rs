@@ -1,7 +1,7 @@
 //! Runs and flights are kept, and compared with each other.
 
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::Job;
+use pilotage_jobs::{Job, JobEvent};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
@@ -103,6 +103,40 @@ fn every_estimator_flies_the_flight_and_stands_in_one_table() {
         Value::Null,
         "another flight"
     );
+}
+
+#[test]
+fn a_table_of_the_mission_before_says_so_and_why_an_estimator_failed() {
+    let mut rig = rig();
+    rig.open_tab("Compare");
+    rig.host().left = Some(|job| matches!(job, Job::Contest(_)));
+    rig.harness.get_by_label("Fly by all estimators").click();
+    rig.frames(3);
+    let is_contest = |(_, job): &&(u64, Job)| matches!(job, Job::Contest(_));
+    let id = rig.host().jobs.iter().find(is_contest).expect("a job").0;
+    let why = "Unscented Kalman filter: alpha is 0";
+    let events = [JobEvent::Remark(why.to_owned()), JobEvent::Finished];
+    rig.host().events.extend(events.map(|event| (id, event)));
+    rig.frames(3);
+    assert!(rig.harness.query_by_label(why).is_some());
+    rig.host().left = None;
+    rig.harness.get_by_label("Fly by all estimators").click();
+    rig.frames(3);
+    assert!(rig.harness.query_by_label(why).is_none());
+    let told = |rig: &mut Rig| {
+        rig.open_tab("Compare");
+        let label = rig.harness.query_by_label_contains("Of the mission before");
+        assert_eq!(rig.state()["compare"]["contest_of_before"], label.is_some());
+        label.is_some()
+    };
+    assert!(!told(&mut rig));
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Switch Chapel off").click();
+    rig.settle();
+    assert!(told(&mut rig));
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
+    rig.settle();
+    assert!(!told(&mut rig));
 }
 
 #[test]
