@@ -56,18 +56,14 @@ fn commands() -> Vec<CommandEntry> {
 pub struct LinkFeature {
     /// View that is shown once its flight is there.
     followed: Option<Link>,
-    /// Session that was open before it.
+    /// Session that was open before it, or before that of an earlier visit.
     before: Option<Session>,
 }
 
 impl LinkFeature {
     /// Opens the flight of a link; what was open before is kept aside if there is work in it.
     fn follow(&mut self, link: Link, context: &mut FeatureContext<'_>) {
-        let own = context.documents.session();
-        let is_work = own.mission.is_some() || matches!(own.flight, FlightSource::Files(_));
-        if is_work {
-            context.host.store(BEFORE_LINK_KEY, &own.encode());
-            self.before = Some(own);
+        if self.keep_aside(context) {
             let text = "It is kept aside: “Open what was open before the link”, among all commands \
                         (Ctrl+K), brings it back.";
             context.note("A link was opened instead of your own work", text);
@@ -80,17 +76,31 @@ impl LinkFeature {
         self.followed = Some(link);
     }
 
-    /// Goes back to what was open before a link was followed.
+    /// Keeps what is open aside if there is work in it; whether there is.
+    fn keep_aside(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        let own = context.documents.session();
+        let is_work = own.mission.is_some() || matches!(own.flight, FlightSource::Files(_));
+        if is_work {
+            context.host.store(BEFORE_LINK_KEY, &own.encode());
+            self.before = Some(own);
+        }
+        is_work
+    }
+
+    /// Goes back to what was open before a link was followed; work done since is kept aside in its place.
     fn open_before(&mut self, context: &mut FeatureContext<'_>) {
-        let kept = self.before.take();
-        let kept = kept.or_else(|| Session::decode(&context.host.recall(BEFORE_LINK_KEY)?));
-        let Some(session) = kept else {
+        let Some(session) = self.before.take() else {
             let text = "No link was opened over work of yours.";
             context.note("Nothing was kept aside", text);
             return;
         };
+        if self.keep_aside(context) {
+            let text = "It is kept aside in turn: the same command brings it back.";
+            context.note("Your own work is open in the place of later work", text);
+        } else {
+            context.host.forget(BEFORE_LINK_KEY);
+        }
         context.host.store(SESSION_KEY, &session.encode());
-        context.host.forget(BEFORE_LINK_KEY);
         context.open_session(session);
     }
 }
@@ -138,6 +148,9 @@ impl Feature for LinkFeature {
 
     /// Follows the link that the page was opened with.
     fn start(&mut self, context: &mut FeatureContext<'_>) {
+        // Its files stay until it is opened again.
+        let kept = context.host.recall(BEFORE_LINK_KEY);
+        self.before = kept.and_then(|bytes| Session::decode(&bytes));
         let fragment = context.host.recall(LINK_KEY);
         let fragment = fragment.and_then(|bytes| String::from_utf8(bytes).ok());
         if let Some(link) = fragment.and_then(|text| Link::decode(&text)) {

@@ -1,6 +1,9 @@
 use egui::{Key, Modifiers, Vec2};
+use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::{FlightSource, Job};
 use pilotage_ui::documents::{SESSION_KEY, Session};
-use pilotage_ui::link::{LINK_KEY, Link};
+use pilotage_ui::host::OpenedFile;
+use pilotage_ui::link::{BEFORE_LINK_KEY, LINK_KEY, Link};
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
@@ -64,4 +67,42 @@ fn a_link_leaves_ones_own_work_aside_and_a_command_brings_it_back() {
         .and_then(|s| s.mission)
         .map(|m| m.name);
     assert_eq!(name.as_deref(), Some("Mine"));
+}
+
+#[test]
+fn work_done_on_a_link_is_kept_aside_when_ones_own_is_brought_back() {
+    let mut own = Session::demo();
+    own.mission = Some(pilotage_ui::documents::empty_mission());
+    let mut host = ScriptedHost::default();
+    host.stored.insert(BEFORE_LINK_KEY.into(), own.encode());
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Switch Chapel off").click();
+    rig.settle();
+    command(&mut rig, "open what was open before the link");
+    assert_eq!(rig.state()["landmarks"], serde_json::json!([]));
+    assert!(rig.host().stored.contains_key(BEFORE_LINK_KEY));
+    command(&mut rig, "open what was open before the link");
+    assert_eq!(rig.state()["landmarks"][1]["enabled"], false);
+}
+
+#[test]
+fn files_of_work_that_is_kept_aside_stay_when_others_are_opened_at_a_later_visit() {
+    let own = Session {
+        flight: FlightSource::Files("opened-1".to_owned()),
+        ..Session::demo()
+    };
+    let mut host = ScriptedHost::default();
+    host.stored.insert(BEFORE_LINK_KEY.into(), own.encode());
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    rig.host().opened.push(vec![OpenedFile {
+        path: "other.log".into(),
+        content: vec![7; 3].into(),
+    }]);
+    rig.settle();
+    let opened = rig.host().jobs.iter().find_map(|(_, job)| match job {
+        Job::Open(order) => Some(order.key.clone()),
+        _ => None,
+    });
+    assert_eq!(opened.as_deref(), Some("opened-2"));
 }
