@@ -39,6 +39,11 @@ struct Seat<P> {
     is_leaving: bool,
 }
 
+/// Key under which a seat remembers that it has the tiles of a job.
+fn tiles_of(id: JobId) -> String {
+    format!("{} of {id}", super::WEB_TILES)
+}
+
 struct Assigned {
     seat: usize,
     job: Job,
@@ -62,6 +67,8 @@ pub struct WorkerPool<P> {
     /// Jobs that wait for a more urgent one of the same role in the other program.
     waiting: BTreeSet<JobId>,
     files: BTreeMap<String, Vec<(String, FileContent)>>,
+    /// Tiles of the web of the jobs that are not over, by the number under which they were asked for.
+    tiles: BTreeMap<JobId, Vec<(String, FileContent)>>,
     events: Vec<(JobId, JobEvent)>,
     last_job: JobId,
     lost: usize,
@@ -85,6 +92,7 @@ impl<P: WorkerPort> WorkerPool<P> {
             held: BTreeSet::new(),
             waiting: BTreeSet::new(),
             files: BTreeMap::new(),
+            tiles: BTreeMap::new(),
             events: Vec::new(),
             last_job: 0,
             lost: 0,
@@ -123,12 +131,14 @@ impl<P: WorkerPort> WorkerPool<P> {
         let Some(mut whole) = SharedJob::new(&job) else {
             return self.assign(id, job, 0);
         };
-        for job in whole.jobs() {
-            let part = self.reserve();
-            whole.add(part);
-            self.assign(part, job, 0);
+        let parts = whole.jobs().map(|job| (self.reserve(), job));
+        for (part, _) in &parts {
+            whole.add(*part);
         }
         self.shared.insert(id, whole);
+        for (part, job) in parts {
+            self.assign(part, job, 0);
+        }
     }
 
     /// A number for a job that begins later, by [`WorkerPool::begin`].
@@ -139,22 +149,32 @@ impl<P: WorkerPort> WorkerPool<P> {
 
     /// Begins a job under a reserved number, with tiles of the web that it needs.
     pub fn begin(&mut self, id: JobId, job: Job, tiles: Vec<(String, FileContent)>) {
-        let key = super::WEB_TILES.to_owned();
-        let files = tiles;
-        let roles = if SharedJob::new(&job).is_some() || matches!(job, Job::Train(_)) {
-            0..SHARES
-        } else {
-            job.role() as usize..job.role() as usize + 1
-        };
-        for role in roles {
-            let seat = place(role, Program::Whole);
-            let (key, files) = (key.clone(), files.clone());
-            self.open_seat(seat).send(&Request::Start(
-                0,
-                Job::Provide(ProvideOrder { key, files }),
-            ));
-        }
+        self.tiles.insert(id, tiles);
         self.share_out(id, job);
+    }
+
+    /// Gives the worker on a seat the tiles of a job, or of that of which it is a share, unless it has them.
+    fn give_tiles(&mut self, seat: usize, id: JobId) {
+        let whole = self.shared.iter().find(|(_, whole)| whole.has(id));
+        let asked = whole.map_or(id, |(whole, _)| *whole);
+        if let Some(files) = self.tiles.get(&asked)
+            && self.seats[seat].holds.insert(tiles_of(asked))
+        {
+            let provide = Job::Provide(ProvideOrder {
+                key: super::WEB_TILES.to_owned(),
+                files: files.clone(),
+            });
+            self.open_seat(seat).send(&Request::Start(0, provide));
+        }
+    }
+
+    /// Lets go of the tiles of a job that is over.
+    fn let_tiles_go(&mut self, id: JobId) {
+        if self.tiles.remove(&id).is_some() {
+            for seat in &mut self.seats {
+                seat.holds.remove(&tiles_of(id));
+            }
+        }
     }
 
     /// Says something about a job in a worker's place.
@@ -219,6 +239,9 @@ impl<P: WorkerPort> WorkerPool<P> {
     fn tell(&mut self, id: JobId, event: JobEvent) {
         let whole = self.shared.iter_mut().find(|(_, whole)| whole.has(id));
         let Some((whole_id, whole)) = whole.map(|(whole_id, whole)| (*whole_id, whole)) else {
+            if event.is_last() {
+                self.let_tiles_go(id);
+            }
             self.events.push((id, event));
             return;
         };
@@ -239,6 +262,7 @@ impl<P: WorkerPort> WorkerPool<P> {
                     for part in whole.parts() {
                         self.cancel(part);
                     }
+                    self.let_tiles_go(whole_id);
                 }
                 self.events.push((whole_id, event));
             }
@@ -443,6 +467,7 @@ impl<P: WorkerPort> WorkerPool<P> {
                 self.open_seat(seat).send(&Request::Start(0, provide));
             }
         }
+        self.give_tiles(seat, id);
         let request = Request::Start(id, job);
         self.open_seat(seat).send(&request);
         if let Request::Start(_, job) = request {

@@ -11,6 +11,7 @@ use crate::{
     AssessmentOrder, COARSE, DescribeMapOrder, EncodedPicture, FlyOrder, FramePictureOrder, Job,
     JobEvent, JobId, LetGoOrder, MapSource, PictureForm, PlannedPath, PredictionOrder,
     ProposeOrder, ProvideOrder, ReadLogOrder, Reply, Request, SimulationOptions, SuggestOrder,
+    WEB_TILES,
 };
 
 #[derive(Debug, PartialEq)]
@@ -148,6 +149,52 @@ fn a_new_worker_gets_the_files_and_the_interrupted_job_again() {
     assert_eq!(sent_to(&notes, WHOLE_SHOWS)[2..], again);
     assert_eq!(worker_pool.take_lost(), 1);
     assert!(matches!(worker_pool.take_events()[..], [(job, JobEvent::Progress(..))] if job == id));
+}
+
+#[test]
+fn a_new_worker_gets_the_tiles_of_the_interrupted_job_again() {
+    let (mut worker_pool, notes) = worker_pool();
+    let tile = || vec![("https://tiles/17/1/2.png".to_owned(), vec![7; 3].into())];
+    let tiles = || {
+        Job::Provide(ProvideOrder {
+            key: WEB_TILES.to_owned(),
+            files: tile(),
+        })
+    };
+    let id = worker_pool.reserve();
+    worker_pool.begin(id, describe_files(), tile());
+    let first = [
+        Request::Start(0, tiles()),
+        Request::Start(id, describe_files()),
+    ];
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS), first);
+    worker_pool.worker_died(WHOLE_SHOWS);
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS)[2..], first);
+    // Once it is over, they are kept no more, and the next one brings its own.
+    worker_pool.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
+    assert!(worker_pool.tiles.is_empty());
+    let next = worker_pool.reserve();
+    worker_pool.begin(next, describe_files(), tile());
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS)[4], first[0]);
+}
+
+#[test]
+fn every_worker_that_shares_a_job_gets_its_tiles_once() {
+    let (mut worker_pool, notes) = worker_pool();
+    let id = worker_pool.reserve();
+    let tile = ("https://tiles/17/1/2.png".to_owned(), vec![7; 3].into());
+    worker_pool.begin(id, Job::Assess(Box::new(order())), vec![tile]);
+    let given = |seat| {
+        let is_tiles = |it: &Request| matches!(it, Request::Start(0, Job::Provide(_)));
+        sent_to(&notes, seat)
+            .iter()
+            .filter(|it| is_tiles(it))
+            .count()
+    };
+    let seats = [WHOLE_FLIES, WHOLE_SHOWS];
+    assert_eq!(seats.map(given), [1, 1]);
+    worker_pool.worker_died(WHOLE_SHOWS);
+    assert_eq!(seats.map(given), [1, 2]);
 }
 
 #[test]
