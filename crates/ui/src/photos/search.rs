@@ -142,11 +142,8 @@ pub(super) fn known(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosSc
         };
         let hint =
             "Height above the ground, for photos that do not say it or count it from elsewhere.";
-        number("Height", unit, length, [1.0, 5000.0], hint).edit_known(
-            ui,
-            &mut search.height,
-            100.0,
-        );
+        let heights = [1.0, 5000.0].map(|metres| length * metres);
+        number("Height", unit, length, heights, hint).edit_known(ui, &mut search.height, 100.0);
         let hint = "Direction in which the top of the picture points, clockwise from north.";
         let heading = number("Heading", "°", DEGREE, [-360.0, 360.0], hint);
         heading.edit_known(ui, &mut search.heading, 0.0);

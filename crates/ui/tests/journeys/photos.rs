@@ -1,6 +1,6 @@
 //! Photos are laid on a map one by one.
 
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pilotage_core::raster::{Picture, encode_jpeg, encode_png};
 use pilotage_jobs::Job;
 use pilotage_ui::host::OpenedFile;
@@ -199,6 +199,30 @@ fn limits_are_changed_and_the_photos_laid_again() {
     rig.settle();
     let laid = rows(&mut rig);
     assert!(error(&laid[0], (120, 100)) < 1.5, "{laid:?}");
+}
+
+#[test]
+fn a_known_height_has_the_same_limits_in_feet() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    rig.host().opened.push(map(&ground));
+    rig.settle();
+    let photo = photo(&ground, (120, 100), [0.0, 0.0]);
+    rig.host().opened.push(vec![file("a.jpg", photo)]);
+    rig.settle();
+    rig.key(egui::Key::U);
+    let known = "Known better than by the photos";
+    rig.harness.get_by_label(known).click();
+    rig.frames(30);
+    rig.harness.get_by_label("Height").click();
+    rig.frames(3);
+    let role = egui::accesskit::Role::SpinButton;
+    let field = rig.harness.get_by_role_and_label(role, "Height");
+    let most = field.accesskit_node().max_numeric_value();
+    let most = most.expect("a limit");
+    // 5000 m.
+    assert!((most - 16_404.2).abs() < 0.1, "{most} ft");
 }
 
 #[test]
