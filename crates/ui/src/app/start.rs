@@ -181,7 +181,7 @@ impl App {
         host: &mut dyn Host,
     ) {
         self.fly_work.stop(host);
-        self.documents = Documents::new(session);
+        self.documents.replace(session);
         self.restore_files(host);
         self.map_work.describe(&self.documents, host);
         self.fly_session(egui, host);

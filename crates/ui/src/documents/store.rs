@@ -71,6 +71,14 @@ impl Documents {
         }
     }
 
+    /// Opens a session in the place of what is open; what counts flights and runs goes on.
+    pub fn replace(&mut self, session: &Session) {
+        let left = std::mem::replace(self, Self::new(session));
+        self.flight.generation = left.flight.generation + 1;
+        self.run.generation = left.run.generation + 1;
+        self.run.ghost_generation = left.run.ghost_generation;
+    }
+
     /// Session to be remembered until the next visit.
     pub fn session(&self) -> Session {
         Session {
@@ -261,5 +269,21 @@ impl Documents {
             (Some((a, b)), Some((c, d))) => Some((a.min(c), b.max(d))),
             (span, log) => span.or(log),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn flights_and_runs_are_counted_on_when_a_session_takes_the_place_of_what_is_open() {
+        let mut documents = Documents::new(&Session::demo());
+        documents.run.show(None);
+        documents.flight.leave();
+        let counts = |it: &Documents| (it.flight.generation, it.run.generation);
+        assert_eq!(counts(&documents), (1, 1));
+        documents.replace(&Session::demo());
+        assert_eq!(counts(&documents), (2, 2));
     }
 }
