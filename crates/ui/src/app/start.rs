@@ -205,11 +205,17 @@ impl App {
     /// Stores what was edited last without waiting for more edits: nothing is drawn any more.
     pub fn store_now(&mut self, context: &egui::Context, host: &mut dyn Host) {
         self.stored.hurry();
-        self.remember(context, host);
+        // Files that are still being kept are not waited for: the edit would be lost with them.
+        self.store_session(true, context, host);
     }
 
     /// Stores the document and the view a moment after they changed.
     pub(super) fn remember(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        self.store_session(self.keeping.is_done(), context, host);
+    }
+
+    /// Stores the document and the view if that may be done now.
+    fn store_session(&mut self, is_due: bool, context: &egui::Context, host: &mut dyn Host) {
         self.view.speed = self.playback.speed;
         self.view.looping = self.playback.looping;
         for feature in &self.views.features {
@@ -222,7 +228,8 @@ impl App {
         }
         self.view.hidden_layers = self.views.map.layers.hidden_names();
         let (documents, view) = (&self.documents, &self.view);
-        if self.keeping.is_done() && self.stored.tend(documents, view, context, host) {
+        let is_stored = is_due && self.stored.tend(documents, view, context, host);
+        if is_stored && self.keeping.is_done() {
             self.forget_unused_files();
         }
     }

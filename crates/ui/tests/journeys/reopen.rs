@@ -1,4 +1,5 @@
 use egui::Vec2;
+use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_jobs::{
     FlightSource, FlyOrder, Job, MapInfo, MapSource, OpenedFiles, ProvideOrder, TileOrder,
@@ -241,6 +242,35 @@ fn files_that_are_too_many_are_not_kept_and_the_user_is_told() {
     assert!(!rig.host().stored.keys().any(|key| key.starts_with("file")));
     let told = rig.state()["toasts"].to_string();
     assert!(told.contains("64 MB"), "{told}");
+}
+
+#[test]
+fn an_edit_is_stored_at_once_when_the_page_is_left_while_files_are_still_being_kept() {
+    let mut rig = rig();
+    rig.host().opens = Some(OpenedFiles {
+        flight: Some(flight()),
+        ..nothing()
+    });
+    let file = |number| OpenedFile {
+        path: format!("trip/{number}.csv"),
+        content: vec![7; 1 << 20].into(),
+    };
+    rig.host().opened.push((0..60).map(file).collect());
+    rig.frames(3);
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Switch Chapel off").click();
+    rig.frames(2);
+    let is_whole = |rig: &mut Rig| rig.host().stored.keys().any(|key| key.starts_with("files"));
+    let egui = rig.harness.ctx.clone();
+    assert!(!is_whole(&mut rig), "the files are still being kept");
+    let page = rig.harness.state_mut();
+    let app = page.app.as_mut().expect("drawn once");
+    app.store_now(&egui, &mut page.host);
+    let bytes = rig.host().stored.get(SESSION_KEY).cloned();
+    let session = bytes.and_then(|bytes| Session::decode(&bytes));
+    let mission = session.and_then(|session| session.mission);
+    let chapel = mission.map(|it| it.landmarks[1].enabled);
+    assert_eq!(chapel, Some(false));
 }
 
 #[test]
