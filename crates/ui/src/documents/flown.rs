@@ -49,21 +49,3 @@ impl Documents {
         ))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::views::fixture::Fixture;
-
-    #[test]
-    fn a_run_that_was_stopped_does_not_reach_the_end() {
-        let Fixture {
-            mut run, flight, ..
-        } = Fixture::lasting(20.0);
-        assert!(reaches_end(&run, &flight));
-        run.steps.truncate(run.steps.len() / 2);
-        assert!(!reaches_end(&run, &flight));
-        run.steps.clear();
-        assert!(!reaches_end(&run, &flight));
-    }
-}
