@@ -292,10 +292,8 @@ impl App {
                 self.take_mission(host, mission);
                 self.open_beside(context, host, beside);
             }
-            if let Some(run) = run
-                && self.show_opened_run(host, run)
-            {
-                parts.push("a run");
+            if let Some(run) = run {
+                parts.extend(self.show_opened_run(host, run).then_some("a run"));
             }
         }
         let adds = !imports.is_empty() || labels.is_some() || is_log || has_more;
