@@ -172,7 +172,7 @@ impl RouteSearch {
                 return Err(FindError::EndForbidden(name));
             }
         }
-        let corners = question.obstacles().corners();
+        let corners = question.obstacles().corners(&question.turns);
         let lattice: Vec<GroundPoint> = question
             .lattice()
             .into_iter()
@@ -294,15 +294,14 @@ fn shortest(
     if let Some(route) = question.judge(&straight) {
         return Some(route);
     }
-    let mut nodes = straight.to_vec();
-    nodes.extend(corners);
-    if question.forbidden.is_some() {
-        nodes.extend(lattice);
-    }
-    let mut graph = Graph::new(nodes);
-    while graph.connect_next(question, f64::INFINITY) {}
-    let line = graph.solve(question, Aimed::Under(f64::INFINITY), f64::INFINITY)?;
-    let route = question.judge(&line)?;
+    let over = |places: &[&[GroundPoint]]| {
+        let mut graph = Graph::new([&straight[..], &places.concat()].concat());
+        while graph.connect_next(question, f64::INFINITY) {}
+        let line = graph.solve(question, Aimed::Under(f64::INFINITY), f64::INFINITY)?;
+        question.judge(&line)
+    };
+    let by_corners = question.forbidden.is_none().then(|| over(&[corners]));
+    let route = by_corners.flatten().or_else(|| over(&[corners, lattice]))?;
     if fits(&route.way_points, &question.turns).is_none() {
         return Some(route);
     }

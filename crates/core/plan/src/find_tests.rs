@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::field::Localizability;
 use crate::question::{BudgetOf, Forbidden};
-use crate::turns::Turns;
+use crate::turns::{Turns, flown};
 
 fn point(north: f64, east: f64) -> GroundPoint {
     GroundPoint::new(north, east)
@@ -126,6 +126,76 @@ fn a_no_fly_area_is_flown_around_with_its_clearance() {
         ..asked
     };
     assert_eq!(walled.find(), Err(FindError::EndForbidden("B")));
+}
+
+/// Least distance between the flown path of a route and a square area at the origin that reaches north and east, metres;
+/// negative over it.
+fn clearance_of_the_corner(route: &FoundRoute, turns: &Turns) -> f64 {
+    let path = flown(&route.way_points, turns);
+    let off = |p: GroundPoint| {
+        let (north, east) = (-p.north, -p.east);
+        if north > 0.0 && east > 0.0 {
+            north.hypot(east)
+        } else {
+            north.max(east)
+        }
+    };
+    let pieces = path.windows(2).flat_map(|piece| {
+        let way = piece[1].to_vector() - piece[0].to_vector();
+        let from = piece[0].to_vector();
+        (0..=100).map(move |i| GroundPoint::from(from + way * (f64::from(i) / 100.0)))
+    });
+    pieces.map(off).fold(f64::INFINITY, f64::min)
+}
+
+/// From one side of a square of two kilometres around its corner at the origin to the other, with a wind behind of so many
+/// m/s.
+fn around_the_corner(wind: f64) -> RouteQuestion {
+    let area = [(0.0, 0.0), (0.0, 2000.0), (2000.0, 2000.0), (2000.0, 0.0)];
+    RouteQuestion {
+        from: point(1500.0, -60.0),
+        to: point(-60.0, 1500.0),
+        no_fly: vec![NoFlyZone {
+            corners: area.map(|(n, e)| point(n, e)).to_vec(),
+            ..NoFlyZone::default()
+        }],
+        turns: Turns::of_flight(crate::cruise() + wind, crate::planned_aircraft().bank_limit),
+        ..question(&[])
+    }
+}
+
+#[test]
+fn turns_around_the_corner_of_an_area_keep_the_clearance_that_was_asked_for() {
+    // Turns of 65 m, of 105 m and of 153 m: at 29 m off the corner, as near as legs of 20 m clearance may lead, a right angle
+    // of the last would be flown 35 m into the area.
+    for wind in [0.0, 5.0, 10.0] {
+        let asked = around_the_corner(wind);
+        let turns = asked.turns;
+        let found = asked.find().unwrap();
+        for route in [&found.shortest, &found.surest] {
+            let kept = clearance_of_the_corner(route, &turns);
+            assert!(kept > 20.0 - 1e-3, "{wind} m/s: {kept} m of {route:?}");
+            assert!(route.length < 3300.0, "{route:?}");
+        }
+    }
+}
+
+#[test]
+fn turns_do_not_cut_into_high_ground() {
+    let asked = around_the_corner(10.0);
+    let asked = RouteQuestion {
+        no_fly: Vec::new(),
+        forbidden: Some(Arc::new(|p| p.north.min(p.east) > 0.0)),
+        ..asked
+    };
+    let turns = asked.turns;
+    let line = [asked.from, point(-20.0, -20.0), asked.to];
+    assert!(line.windows(2).all(|leg| asked.allows(&leg[0], &leg[1])));
+    assert!(asked.judge(&line).is_none(), "the turn there is over it");
+    let found = asked.find().unwrap();
+    let kept = clearance_of_the_corner(&found.shortest, &turns);
+    // Places are looked at by the step of the field.
+    assert!(kept > -5.0, "{kept} m");
 }
 
 #[test]

@@ -29,18 +29,16 @@ impl Frontier {
         Self(vec![f64::INFINITY; nodes * CLASSES])
     }
 
-    /// Whether a path that paid `order` is better than all before; they are forgotten if so.
-    fn take(&mut self, node: usize, u: f64, order: f64) -> bool {
-        let own = &mut self.0[node * CLASSES..(node + 1) * CLASSES];
-        let class = class(u);
-        if own[class] <= order {
-            return false;
-        }
-        // Whoever comes with more and later is no better.
-        for other in &mut own[class..] {
+    /// Whether a path that paid `order` would be better than all before.
+    fn wants(&self, node: usize, u: f64, order: f64) -> bool {
+        self.0[node * CLASSES + class(u)] > order
+    }
+
+    /// Takes a path that paid `order`; whoever comes with more and later is no better and forgotten.
+    fn take(&mut self, node: usize, u: f64, order: f64) {
+        for other in &mut self.0[node * CLASSES + class(u)..(node + 1) * CLASSES] {
             *other = other.min(order);
         }
-        true
     }
 
     /// Whether nobody came cheaper since.
@@ -164,7 +162,8 @@ impl Graph {
     ///
     /// Labels are taken in the order of what they cost. One that comes to a node later than another is
     /// worth following only if it has fewer metres without a fix: that makes the search exact but for
-    /// the width of the classes.
+    /// the width of the classes, and for turns: a path that may not turn onto a way hides dearer ones to the
+    /// same node that might.
     pub fn solve(
         &self,
         question: &RouteQuestion,
@@ -176,6 +175,8 @@ impl Graph {
             .iter()
             .map(|n| question.least_cost(n, &self.nodes[1]))
             .collect();
+        let free = self.nodes.iter().map(|n| question.leaves_room_to_turn(n));
+        let free: Vec<bool> = free.collect();
         let mut frontier = Frontier::new(self.nodes.len());
         let mut labels: Vec<PathLabel> = Vec::new();
         let mut queue = BinaryHeap::new();
@@ -223,9 +224,17 @@ impl Graph {
                         (paid, paid)
                     }
                 };
-                if !frontier.take(way.to, unsure.metres, order) {
+                let turns = || {
+                    let before = label.before.filter(|_| !free[label.node]);
+                    before.is_none_or(|before| {
+                        let line = [labels[before].node, label.node, way.to];
+                        question.allows_turns(&line.map(|node| self.nodes[node]))
+                    })
+                };
+                if !frontier.wants(way.to, unsure.metres, order) || !turns() {
                     continue;
                 }
+                frontier.take(way.to, unsure.metres, order);
                 queue.push(Queued {
                     order,
                     paid,

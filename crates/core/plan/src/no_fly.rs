@@ -1,7 +1,10 @@
 //! Areas that must not be flown over, and the ways around them.
 
+use std::f64::consts::PI;
+
 use nalgebra::Vector2;
 
+use super::turns::Turns;
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::mission::NoFlyZone;
 
@@ -35,8 +38,15 @@ impl Obstacles<'_> {
         })
     }
 
-    /// Places beside the corners of the areas and their holes from which one can fly along both sides.
-    pub fn corners(&self) -> Vec<GroundPoint> {
+    /// Whether all places within `reach` metres of one keep clear of every area.
+    pub fn leave_room(&self, place: &GroundPoint, reach: f64) -> bool {
+        let margin = self.clearance + reach;
+        !self.areas.iter().any(|area| is_within(area, place, margin))
+    }
+
+    /// Places beside the corners of the areas and their holes from which one can fly along both sides: as near as straight
+    /// legs may lead by, and as far off as it takes to turn from one side to the other with `turns`.
+    pub fn corners(&self, turns: &Turns) -> Vec<GroundPoint> {
         let mut corners = Vec::new();
         let off = self.clearance.max(0.5);
         for ring in self.areas.iter().flat_map(NoFlyZone::rings) {
@@ -56,10 +66,14 @@ impl Obstacles<'_> {
                 let out = out.normalize();
                 // Sine of half the angle between the sides.
                 let half = before.perp(&out).abs().max(1.0 / SHARPEST);
-                for side in beside(&out, &before, &after, half) {
-                    let place = GroundPoint::from(corner + side * (1.01 * off / half));
-                    if !self.forbid(&place) {
-                        corners.push(place);
+                let near = off / half;
+                let wide = off + turns.cut(PI - 2.0 * half.min(1.0).asin());
+                for distance in std::iter::once(near).chain((wide > near).then_some(wide)) {
+                    for side in beside(&out, &before, &after, half) {
+                        let place = GroundPoint::from(corner + side * (1.01 * distance));
+                        if !self.forbid(&place) {
+                            corners.push(place);
+                        }
                     }
                 }
             }
@@ -187,7 +201,7 @@ mod tests {
             areas: &areas,
             clearance: 20.0,
         };
-        let corners = obstacles.corners();
+        let corners = obstacles.corners(&Turns::default());
         assert_eq!(corners.len(), 4, "{corners:?}");
         for i in 0..4 {
             assert!(obstacles.leave_free(&corners[i], &corners[(i + 1) % 4]));
@@ -205,7 +219,7 @@ mod tests {
             areas: &areas,
             clearance: 5.0,
         };
-        let corners = obstacles.corners();
+        let corners = obstacles.corners(&Turns::default());
         assert!(corners.len() >= 4);
         assert!(corners.iter().all(|c| c.distance(&dent) > 30.0));
     }
@@ -252,7 +266,7 @@ mod tests {
         };
         let (west, east) = (point(150.0, 50.0), point(150.0, 150.0));
         assert!(!obstacles.leave_free(&west, &east));
-        let corners = obstacles.corners();
+        let corners = obstacles.corners(&Turns::default());
         let around = |c: &GroundPoint| {
             c.north < 60.0 && obstacles.leave_free(&west, c) && obstacles.leave_free(c, &east)
         };

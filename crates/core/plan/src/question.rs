@@ -111,6 +111,18 @@ impl RouteQuestion {
             })
     }
 
+    /// Whether one may fly the turns of a line, and straight between them.
+    pub(super) fn allows_turns(&self, way_points: &[GroundPoint]) -> bool {
+        let path = flown(way_points, &self.turns);
+        path.windows(2)
+            .all(|piece| self.allows(&piece[0], &piece[1]))
+    }
+
+    /// Whether one may turn at a place as one likes.
+    pub(super) fn leaves_room_to_turn(&self, at: &GroundPoint) -> bool {
+        self.forbidden.is_none() && self.obstacles().leave_room(at, self.turns.reach())
+    }
+
     /// Cost that counts against the budget.
     pub(super) fn cost(&self, length: f64, time: f64) -> f64 {
         match self.budget_of {
@@ -180,6 +192,9 @@ impl RouteQuestion {
             }
             route.length += leg[0].distance(&leg[1]);
             route.time += ground.time(&leg[0], &leg[1])?;
+        }
+        if !self.allows_turns(way_points) {
+            return None;
         }
         let mut length = 0.0;
         for piece in flown(way_points, &self.turns).windows(2) {

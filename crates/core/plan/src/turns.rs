@@ -1,5 +1,7 @@
 //! Turns between straight legs: the room that they need, and the path over them.
 
+use std::f64::consts::PI;
+
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
@@ -63,6 +65,18 @@ impl Turns {
         }
         self.radius * half_tangent(turn) + self.roll_in
     }
+
+    /// Distance by which the path of [`flown`] passes inside of a way-point where it turns by `turn` radians, metres.
+    pub(super) fn cut(&self, turn: f64) -> f64 {
+        let turn = turn.abs().min(SHARPEST);
+        let chord = turn / chords(turn) as f64;
+        self.radius * (1.0 / (0.5 * turn).cos() - (0.5 * chord).cos())
+    }
+
+    /// Distance from a way-point within which all turns there are flown, metres.
+    pub(super) fn reach(&self) -> f64 {
+        self.radius * (half_tangent(PI) + 2.0)
+    }
 }
 
 /// Turn at `at` between two others, radians, positive to the right.
@@ -77,6 +91,11 @@ fn turn(before: &GroundPoint, at: &GroundPoint, after: &GroundPoint) -> f64 {
 /// Distance before a way-point at which the arc of a turn begins, in radii.
 fn half_tangent(turn: f64) -> f64 {
     (0.5 * turn.abs().min(SHARPEST)).tan()
+}
+
+/// Straight pieces by which an arc of so many radians is followed.
+fn chords(turn: f64) -> usize {
+    (turn.abs() / CHORD).ceil().max(1.0) as usize
 }
 
 /// Index of the first leg that is too short for the turns at its ends; `None` if all fit.
@@ -121,7 +140,7 @@ pub(super) fn flown(way_points: &[GroundPoint], turns: &Turns) -> Vec<GroundPoin
         let (along, side) = (before.normalize(), turn.signum());
         let inwards = side * Vector2::new(-along.y, along.x);
         let (begin, radius) = (at - lead * along, lead / half);
-        let chords = (turn.abs() / CHORD).ceil().max(1.0) as usize;
+        let chords = chords(turn);
         path.extend((0..=chords).map(|i| {
             let angle = turn.abs() * i as f64 / chords as f64;
             let on_arc = angle.sin() * along + (1.0 - angle.cos()) * inwards;

@@ -4,7 +4,8 @@ use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::mission::NoFlyZone;
 use pilotage_core::plan::{
-    Aim, BudgetOf, FoundRoute, RoutePrediction, Turns, cruise, highest_ground, planned_aircraft,
+    Aim, BudgetOf, FoundRoute, ReachedZone, RoutePrediction, Turns, cruise, highest_ground,
+    planned_aircraft, reached_zones,
 };
 use serde::{Deserialize, Serialize};
 
@@ -141,6 +142,11 @@ impl Foreseen {
     /// Its mean along the route, metres.
     pub fn mean_sigma(&self) -> f64 {
         self.sigmas().sum::<f64>() / self.prediction.samples.len().max(1) as f64
+    }
+
+    /// Stretches on which its predicted corridor reaches into areas that it leads around.
+    pub fn reached(&self, no_fly: &[NoFlyZone]) -> Vec<ReachedZone> {
+        reached_zones(&self.prediction.samples, no_fly)
     }
 
     fn sigmas(&self) -> impl Iterator<Item = f64> {

@@ -22,7 +22,10 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::units::{Units, with_minus};
-use pilotage_jobs::FixesFrom;
+use pilotage_jobs::{FixesFrom, Foreseen};
+
+/// Stretches near no-fly areas that are told of a found route; all are told of it once it is a route of the mission.
+const MOST_REACHED: usize = 3;
 
 /// Draws the tab.
 pub fn ground_tab(
@@ -354,6 +357,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             "Nothing within the budget is better than the shortest way.",
         ));
     }
+    reached(ui, &found.surest, context);
     if planner.preferences.find.over == FixesFrom::Map {
         ui.label(muted(
             tokens,
@@ -366,4 +370,15 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         let dismiss = PlanCommand::Find(FindCommand::Dismiss);
         button(ui, context, None, "Dismiss", false, dismiss);
     });
+}
+
+/// Warns of areas that the corridor of a found route reaches into: it keeps its distance from them as it is flown, and not as
+/// uncertain as it is.
+fn reached(ui: &mut Ui, found: &Foreseen, context: &ViewContext<'_>) {
+    let no_fly = &context.mission.no_fly;
+    let far = |metres| distance_text(metres, context.units);
+    for it in found.reached(no_fly).iter().take(MOST_REACHED) {
+        let text = egui::RichText::new(it.sentence(&no_fly[it.zone].name, &far));
+        ui.label(text.color(context.tokens.warning));
+    }
 }
