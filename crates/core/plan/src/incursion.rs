@@ -3,7 +3,8 @@
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::mission::NoFlyZone;
 
-use super::no_fly::{is_forbidden, is_within, sides};
+use super::corridor::Corridor;
+use super::no_fly::{distance, is_forbidden, sides};
 use super::prediction::PredictionSample;
 
 /// Part of a route that leads over a no-fly area.
@@ -114,7 +115,7 @@ pub fn reached_zones(samples: &[PredictionSample], zones: &[NoFlyZone]) -> Vec<R
     for (zone, of) in zones.iter().enumerate() {
         let mut is_open = false;
         for sample in samples {
-            let is_reached = is_within(of, &sample.position, sample.corridor.across);
+            let is_reached = reaches(sample, of);
             let here = sample.distance;
             match found.last_mut() {
                 Some(last) if is_reached && is_open => last.between.1 = here,
@@ -130,9 +131,28 @@ pub fn reached_zones(samples: &[PredictionSample], zones: &[NoFlyZone]) -> Vec<R
     found
 }
 
+/// Whether the ellipse whose half axes along and across the course are those of the corridor reaches into an area.
+fn reaches(sample: &PredictionSample, zone: &NoFlyZone) -> bool {
+    let Corridor { along, across, .. } = sample.corridor;
+    let (sin, cos) = sample.course.sin_cos();
+    let squeezed = across / along.max(1e-9);
+    // In the frame of the course, with the axis along it made as long as that across, it is a circle.
+    let seen = |p: GroundPoint| {
+        let off = p.to_vector() - sample.position.to_vector();
+        GroundPoint::new(
+            squeezed * (cos * off.x + sin * off.y),
+            cos * off.y - sin * off.x,
+        )
+    };
+    let here = GroundPoint::new(0.0, 0.0);
+    is_forbidden(zone, &sample.position)
+        || sides(zone).any(|(a, b)| distance(&here, &seen(a), &seen(b)) < across)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::no_fly::is_within;
 
     fn ring(corners: &[(f64, f64)]) -> Vec<GroundPoint> {
         let place = |(n, e): &(f64, f64)| GroundPoint::new(*n, *e);
@@ -166,6 +186,43 @@ mod tests {
         assert!(incursions(&inside, &zones).is_empty(), "in the hole");
         let beside = ring(&[(-1.0, -30.0), (-1.0, 130.0)]);
         assert!(incursions(&beside, &zones).is_empty());
+    }
+
+    /// A corridor of 300 m along the course and 10 m across at a place.
+    fn long_corridor(position: GroundPoint, course: f64) -> PredictionSample {
+        PredictionSample {
+            time: 0.0,
+            distance: 500.0,
+            position,
+            course,
+            corridor: Corridor {
+                covariance: nalgebra::Matrix2::identity(),
+                sigma_major: 150.0,
+                sigma_minor: 5.0,
+                heading_of_major: course,
+                scale: 2.0,
+                across: 10.0,
+                along: 300.0,
+            },
+            detection: Vec::new(),
+            dead_reckoning: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_corridor_reaches_as_far_ahead_as_the_place_along_the_course_is_uncertain() {
+        let zones = [square()];
+        let reached = |north, east, course: f64| {
+            let sample = long_corridor(GroundPoint::new(north, east), course.to_radians());
+            reached_zones(&[sample], &zones).len()
+        };
+        // Fifty metres ahead of the last way-point, and 290 and 310 m.
+        assert_eq!(reached(50.0, -50.0, 90.0), 1);
+        assert_eq!(reached(50.0, -290.0, 90.0), 1);
+        assert_eq!(reached(50.0, -310.0, 90.0), 0);
+        // Beside it the strip of 10 m counts.
+        assert_eq!(reached(50.0, -9.0, 0.0), 1);
+        assert_eq!(reached(50.0, -11.0, 0.0), 0);
     }
 
     #[test]
