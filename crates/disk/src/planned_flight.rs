@@ -9,7 +9,7 @@ use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route, WayPoint, open_dem};
-use pilotage_core::plan::{FlownWay, Proposal, RouteGround, planned_aircraft};
+use pilotage_core::plan::{FlownWay, Proposal, RouteGround, planned_aircraft, take_off_place};
 use pilotage_core::simulate::{Scenario, Wind};
 use pilotage_jobs::{
     AssessmentOrder, FlightSource, HeightsOrder, MapSource, PlanCircumstances, PlannedPath,
@@ -271,10 +271,12 @@ impl PlannedFlight {
 
     /// Says of the ground under a route what is asked.
     fn over<T>(&self, route: &Route, ask: impl FnOnce(&RouteGround<'_>) -> T) -> T {
-        let first = route.way_points.first();
+        let frame = LocalFrame::new(self.mission.origin);
+        let known = |place: &GroundPoint| self.heights.as_ref()?.height_at(place);
+        let take_off = take_off_place(route, &frame, |place| known(place).is_some());
         ask(&RouteGround {
             height_at: &|place| self.height_at(place),
-            take_off: first.map_or(self.level, |w| self.height_at(&w.position)),
+            take_off: take_off.map_or(self.level, |place| self.height_at(&place)),
             is_level: self.heights.is_none(),
         })
     }

@@ -114,6 +114,17 @@ pub fn home_way_point(route: &Route, frame: &LocalFrame) -> Option<WayPoint> {
     Some(WayPoint::new(home, route.way_points.last()?.altitude))
 }
 
+/// Place from whose ground altitudes above take-off are counted: home, where `is_known` says that the ground's height is
+/// known there, or else the first way-point; `frame` is the world's.
+pub fn take_off_place(
+    route: &Route,
+    frame: &LocalFrame,
+    is_known: impl FnOnce(&GroundPoint) -> bool,
+) -> Option<GroundPoint> {
+    let first = route.way_points.first().map(|it| it.position);
+    route.home(frame).filter(is_known).or(first)
+}
+
 /// Radius in metres, negative to the left, and number of the circles at a way-point, as an aircraft flies them that
 /// banks up to `bank`, radians; `None` where it flies by. Waiting without an end is flown by as well.
 pub fn circles_at(way_point: &WayPoint, bank: f64) -> Option<(f64, f64)> {

@@ -53,7 +53,7 @@ pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{FindError, RouteSearch, growth_before_first_fix};
 pub use flown_way::{
     FlownWay, MOST_CIRCLES, RouteGround, circles_at, cruise, highest_ground, home_way_point,
-    longest_flight, planned_aircraft,
+    longest_flight, planned_aircraft, take_off_place,
 };
 pub use found::{FoundRoute, FoundRoutes};
 pub use incursion::{Incursion, ReachedZone, incursions, reached_zones};

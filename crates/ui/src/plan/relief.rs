@@ -1,10 +1,10 @@
 //! The ground that a plan counts its altitudes from: that of the elevation model, level elsewhere.
 
 use egui::{Align, DragValue, Layout, Ui};
-use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint};
+use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::mission::{Route, WayPoint};
-use pilotage_core::plan::{RouteGround, profile};
+use pilotage_core::plan::{RouteGround, profile, take_off_place};
 
 use super::PlanCommand;
 use super::routes::EditStep;
@@ -19,6 +19,8 @@ use crate::units::Units;
 #[derive(Clone, Copy, Debug)]
 pub struct Relief<'a> {
     terrain: &'a OpenedTerrain,
+    /// The world frame of the mission.
+    world: LocalFrame,
     /// Height where the elevation model does not know it, metres.
     level: f64,
 }
@@ -29,6 +31,7 @@ impl Documents {
         let down = self.flight.measured.as_ref().map_or(0.0, |f| f.ground_down);
         Relief {
             terrain: &self.map.terrain,
+            world: LocalFrame::new(self.mission.origin),
             level: self.mission.level_ground_under(down),
         }
     }
@@ -52,10 +55,15 @@ impl Relief<'_> {
         self.terrain.height_at(place).unwrap_or(self.level)
     }
 
-    /// Height of the ground where a route takes off: at its first way-point, metres.
+    /// Height of the ground where a route takes off, metres.
     pub fn take_off(&self, route: &Route) -> f64 {
-        let first = route.way_points.first();
-        first.map_or(self.level, |w| self.at(&w.position))
+        let place = take_off_place(route, &self.world, |place| self.knows(place));
+        place.map_or(self.level, |place| self.at(&place))
+    }
+
+    /// Whether the elevation model knows a place.
+    fn knows(&self, place: &GroundPoint) -> bool {
+        self.terrain.height_at(place).is_some()
     }
 
     /// Reference heights of a route's altitudes at a place.
@@ -131,8 +139,15 @@ impl Relief<'_> {
         );
         if frames(AltitudeFrame::AboveTakeOff) {
             let (factor, unit) = units.length();
+            let place = take_off_place(route, &self.world, |place| self.knows(place));
+            let first = route.way_points.first().map(|w| w.position);
+            let place = if place == first {
+                "the first way-point"
+            } else {
+                "home"
+            };
             list.push(format!(
-                "Take-off is at the first way-point, {:.0} {unit} {}.",
+                "Take-off is at {place}, {:.0} {unit} {}.",
                 self.take_off(route) * factor,
                 self.frame()
             ));

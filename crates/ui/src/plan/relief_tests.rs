@@ -69,6 +69,34 @@ fn over_the_ridge_an_altitude_counts_from_what_it_names() {
 }
 
 #[test]
+fn altitudes_above_take_off_count_from_the_home_that_a_file_states() {
+    let documents = documents(geoid());
+    let relief = documents.relief();
+    // Home on the ground at 400 m, the first way-point over the ridge at 480 m: 110 m above the one, 30 m above the other.
+    let mut route = route(110.0, AltitudeFrame::AboveTakeOff, &[1000.0, 1900.0]);
+    let above = |route: &Route| relief.above(route, &route.way_points[0]);
+    let told = |route: &Route| relief.assumptions(route, Units::Metric).join(" ");
+    assert!((above(&route) - 110.0).abs() < 0.1);
+    assert!(told(&route).contains("Take-off is at the first way-point, 480 m AMSL."));
+    let state_home = |route: &mut Route, place: GroundPoint| {
+        let frame = pilotage_core::frames::LocalFrame::new(documents.mission.origin);
+        let at = frame.geodetic_from_ground(&place);
+        let home = format!(
+            "[{}, {}, 0.0]",
+            at.latitude.to_degrees(),
+            at.longitude.to_degrees()
+        );
+        route.properties.insert("home".to_owned(), home);
+    };
+    state_home(&mut route, GroundPoint::new(0.0, 0.0));
+    assert!((above(&route) - 30.0).abs() < 0.1, "{}", above(&route));
+    assert!(told(&route).contains("Take-off is at home, 400 m AMSL."));
+    // Of ground that the model does not know, nothing is counted.
+    state_home(&mut route, GroundPoint::new(0.0, -900.0));
+    assert!((above(&route) - 110.0).abs() < 0.1);
+}
+
+#[test]
 fn a_level_flight_over_the_ridge_is_predicted_lower_there_and_one_above_ground_is_not() {
     let mut documents = documents(geoid());
     let level = order(
