@@ -109,7 +109,7 @@ fn parts_over(a: &GroundPoint, b: &GroundPoint, zone: &NoFlyZone) -> Vec<[Ground
     parts
 }
 
-/// Stretches on which the corridor of a predicted path reaches into `zones`, by its half width across the course.
+/// Stretches on which the corridor of a predicted path reaches into `zones`.
 pub fn reached_zones(samples: &[PredictionSample], zones: &[NoFlyZone]) -> Vec<ReachedZone> {
     let mut found: Vec<ReachedZone> = Vec::new();
     for (zone, of) in zones.iter().enumerate() {

@@ -1,7 +1,8 @@
 //! Actions at way-points and at the ends of a route: in words, and chosen.
 
 use egui::{ComboBox, DragValue, Ui};
-use pilotage_core::mission::{Route, WayPointAction};
+use pilotage_core::frames::{Altitude, AltitudeFrame};
+use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
 use super::PlanCommand;
 use super::legs::time_text;
@@ -205,25 +206,60 @@ pub fn ends(ui: &mut Ui, route: &Route, context: &mut ViewContext<'_>) {
     }
 }
 
+/// Gives a way-point an action. Whoever lands comes down to the ground, and who no longer lands stays as high as before.
+pub fn act(route: &mut Route, index: usize, action: WayPointAction) {
+    let before = index.checked_sub(1).map(|i| route.way_points[i].altitude);
+    let Some(way_point) = route.way_points.get_mut(index) else {
+        return;
+    };
+    let landed = way_point.action == WayPointAction::Land;
+    way_point.action = action;
+    match (landed, action == WayPointAction::Land) {
+        (false, true) => way_point.altitude = Altitude::new(0.0, AltitudeFrame::AboveGround),
+        (true, false) => way_point.altitude = before.unwrap_or(way_point.altitude),
+        _ => {}
+    }
+}
+
 /// Does to a route what is chosen for its ends; a landing takes the return's place.
 pub fn change_ends(route: &mut Route, command: &PlanCommand) {
-    let (place, action) = match command {
+    let last = route.way_points.len().saturating_sub(1);
+    let (index, action) = match command {
         PlanCommand::ToggleReturn => {
             route.returns = !route.returns;
             return;
         }
-        PlanCommand::ToggleTakeOff => (route.way_points.first_mut(), WayPointAction::TakeOff),
+        PlanCommand::ToggleTakeOff => (0, WayPointAction::TakeOff),
         PlanCommand::ToggleLanding => {
             route.returns = false;
-            (route.way_points.last_mut(), WayPointAction::Land)
+            (last, WayPointAction::Land)
         }
         _ => return,
     };
-    if let Some(way_point) = place {
-        way_point.action = match way_point.action {
-            own if own == action => WayPointAction::FlyBy,
-            _ => action,
-        };
+    let own = route.way_points.get(index).map(|it| it.action);
+    let is_on = own == Some(action);
+    act(
+        route,
+        index,
+        if is_on { WayPointAction::FlyBy } else { action },
+    );
+}
+
+/// Leads a route on to another way-point. A landing moves on to it.
+pub fn lead_on(route: &mut Route, to: WayPoint) {
+    let lands = route.lands();
+    if lands {
+        act(route, route.way_points.len() - 1, WayPointAction::FlyBy);
+    }
+    let altitude = route
+        .way_points
+        .last()
+        .filter(|_| lands)
+        .map(|it| it.altitude);
+    let altitude = altitude.unwrap_or(to.altitude);
+    route.way_points.push(WayPoint { altitude, ..to });
+    if lands {
+        act(route, route.way_points.len() - 1, WayPointAction::Land);
     }
 }
 
@@ -231,7 +267,7 @@ pub fn change_ends(route: &mut Route, command: &PlanCommand) {
 mod tests {
     use super::*;
     use pilotage_core::frames::GroundPoint;
-    use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
+    use pilotage_core::mission::USUAL_ALTITUDE;
 
     #[test]
     fn a_route_lands_at_its_end_or_returns_and_never_both() {
@@ -245,7 +281,16 @@ mod tests {
         change_ends(&mut route, &PlanCommand::ToggleLanding);
         assert!(!route.returns);
         assert_eq!(route.way_points[1].action, WayPointAction::Land);
+        // An autopilot takes the altitude of a landing for that of the ground there.
+        let ground = Altitude::new(0.0, AltitudeFrame::AboveGround);
+        assert_eq!(route.way_points[1].altitude, ground);
+        lead_on(&mut route, at(900.0));
+        let altitudes: Vec<_> = route.way_points.iter().map(|w| w.altitude).collect();
+        assert_eq!(altitudes, [USUAL_ALTITUDE, USUAL_ALTITUDE, ground]);
+        assert!(route.lands() && route.way_points[1].action == WayPointAction::FlyBy);
+        route.way_points.remove(1);
         change_ends(&mut route, &PlanCommand::ToggleLanding);
+        assert_eq!(route.way_points[1].altitude, USUAL_ALTITUDE);
         change_ends(&mut route, &PlanCommand::ToggleTakeOff);
         let actions = route.way_points.iter().map(|w| w.action);
         let wanted = [WayPointAction::TakeOff, WayPointAction::FlyBy];

@@ -1,11 +1,11 @@
 //! Commands of planning carried out.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Route, WayPointAction};
 use pilotage_core::simulate::SimulationChoice;
 
 use super::PlanCommand;
-use super::actions::change_ends;
+use super::actions::{act, change_ends, lead_on};
 use super::find_command::{FindCommand, FindPick};
 use super::flown;
 use super::heat_command::HeatCommand;
@@ -162,7 +162,7 @@ impl Planner {
             if let Some(id) = documents.mission.route {
                 documents.edit_route(id, EditStep::Whole, |route| {
                     let new = like(route.way_points.last(), at, usual);
-                    route.way_points.push(new);
+                    lead_on(route, new);
                 });
             } else {
                 documents.mission.route =
@@ -302,16 +302,13 @@ fn change(route: &mut Route, command: &PlanCommand) {
             index, altitude, ..
         } => {
             for (at, way_point) in route.way_points.iter_mut().enumerate() {
-                if index.is_none_or(|index| index == at) {
+                let lands = way_point.action == WayPointAction::Land;
+                if index.map_or(!lands, |index| index == at) {
                     way_point.altitude = *altitude;
                 }
             }
         }
-        PlanCommand::SetAction { index, action, .. } => {
-            if let Some(way_point) = route.way_points.get_mut(*index) {
-                way_point.action = *action;
-            }
-        }
+        PlanCommand::SetAction { index, action, .. } => act(route, *index, *action),
         PlanCommand::SetSpeed { index, speed, .. } => {
             if let Some(way_point) = route.way_points.get_mut(*index) {
                 way_point.speed = *speed;

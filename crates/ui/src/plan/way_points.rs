@@ -5,7 +5,7 @@ use egui::{
     WidgetInfo, pos2, vec2,
 };
 use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Route, WayPointAction};
 
 use super::PlanCommand;
 use super::actions::{action, action_words};
@@ -331,6 +331,7 @@ fn selected(
         let all_same = route
             .way_points
             .iter()
+            .filter(|w| w.action != WayPointAction::Land)
             .all(|w| w.altitude == way_point.altitude);
         ui.add_enabled_ui(!all_same, |ui| {
             let label = "This altitude for all way-points";

@@ -39,6 +39,8 @@ fn a_route_that_returns_has_its_way_back_in_the_table_and_in_the_prediction() {
     rig.settle();
     assert!(!returns(&rig));
     assert_eq!(action(&rig, 1), "Land");
+    let lies = "landing, 0 m above ground";
+    assert_eq!(rig.harness.query_all_by_label_contains(lies).count(), 1);
     assert_eq!(count(&rig, "Return:"), 0);
     rig.key_with(Modifiers::COMMAND, Key::Z);
     assert!(returns(&rig) && action(&rig, 1) == "FlyBy");
