@@ -6,13 +6,14 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{NoFlyZone, RallyPoint, Route, WayPointAction};
+use pilotage_core::mission::{NoFlyZone, RallyPoint, Route};
 use pilotage_core::plan::RoutePrediction;
 use pilotage_core::text::without_markup;
 
 use super::actions::action_words;
 use super::corridor_paint::{corridor_sides, room_beside};
 use super::legs::{Leg, time_text, totals};
+use super::marks::radius_around;
 use super::printing::BriefLandmark;
 use super::way_points::{altitude_words, course_words};
 use super::words::{PredictionFigures, distance_text, place_words};
@@ -37,6 +38,8 @@ pub struct BriefScene<'a> {
     pub mission: &'a str,
     /// The route.
     pub route: &'a Route,
+    /// Bank with which it is flown, radians.
+    pub bank: f64,
     /// Its legs, last the way back.
     pub legs: &'a [Leg],
     /// The way back home, if it returns.
@@ -204,10 +207,8 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
     }
     for (index, way_point) in scene.route.way_points.iter().enumerate() {
         let (x, y) = at(&way_point.position);
-        if let WayPointAction::Loiter { radius, .. } | WayPointAction::Wait { radius, .. } =
-            way_point.action
-        {
-            let radius = radius.abs() * scale;
+        if let Some(radius) = radius_around(way_point, scene.bank) {
+            let radius = radius * scale;
             let _ = write!(
                 text,
                 "<circle class=\"around\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\"/>"
@@ -502,7 +503,7 @@ mod tests {
         let legs = super::super::legs::legs(
             &route,
             None,
-            20.0,
+            (20.0, 0.55),
             &pilotage_core::simulate::Wind::default(),
         );
         let bounds = GroundRect::centered(GroundPoint::new(30.0, 300.0), 20.0, 20.0);
@@ -527,6 +528,7 @@ mod tests {
                 height: 0.0,
             })),
             way_back: None,
+            bank: 0.55,
             rally: &[],
             emergency: None,
             left: None,

@@ -3,6 +3,7 @@
 use nalgebra::Vector2;
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
+use pilotage_core::plan::circles_at;
 use pilotage_core::simulate::Wind;
 
 /// The way from one way-point to the next.
@@ -16,11 +17,12 @@ pub struct Leg {
     pub time: Option<f64>,
 }
 
-/// The legs of `route` for an aircraft that cruises at `cruise` m/s, and last the way back, if there is one.
+/// The legs of `route` for an aircraft that cruises at a speed, m/s, and banks up to an angle, radians, and last the way
+/// back, if there is one.
 pub fn legs(
     route: &Route,
     way_back: Option<[GroundPoint; 2]>,
-    cruise: f64,
+    (cruise, bank): (f64, f64),
     wind: &Wind,
 ) -> Vec<Leg> {
     let air = wind.velocity();
@@ -47,20 +49,20 @@ pub fn legs(
         leg(
             ends,
             pair[1].speed.unwrap_or(cruise),
-            circles(&pair[1], cruise),
+            circles(&pair[1], (cruise, bank)),
         )
     });
     let back = way_back.map(|ends| leg(ends, cruise, 0.0));
     between.chain(back).collect()
 }
 
-/// Seconds that circles at a way-point take, through the air.
-fn circles(at: &WayPoint, cruise: f64) -> f64 {
+/// Seconds that circles at a way-point take, through the air, as wide as they are flown.
+fn circles(at: &WayPoint, (cruise, bank): (f64, f64)) -> f64 {
     match at.action {
-        WayPointAction::Loiter { radius, turns } => {
+        WayPointAction::Loiter { .. } => circles_at(at, bank).map_or(0.0, |(radius, turns)| {
             let way = std::f64::consts::TAU * radius.abs() * turns.max(0.0);
             way / at.speed.unwrap_or(cruise).max(1.0)
-        }
+        }),
         WayPointAction::Wait { seconds, .. } => seconds.unwrap_or(0.0).max(0.0),
         _ => 0.0,
     }
@@ -95,6 +97,9 @@ mod tests {
     use super::*;
     use pilotage_core::frames::{Altitude, AltitudeFrame};
 
+    /// Cruise, m/s, and greatest bank, radians.
+    const AIRCRAFT: (f64, f64) = (20.0, 0.55);
+
     fn east() -> Route {
         let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
         let at = |e| WayPoint::new(GroundPoint::new(0.0, e), altitude);
@@ -110,7 +115,7 @@ mod tests {
             from: degrees.to_radians(),
             speed,
         };
-        let time = |wind| legs(&east(), None, 20.0, &wind)[0].time;
+        let time = |wind| legs(&east(), None, AIRCRAFT, &wind)[0].time;
         assert_eq!(time(Wind::default()), Some(30.0));
         assert!((time(from(90.0, 5.0)).unwrap() - 40.0).abs() < 1e-9);
         assert!((time(from(0.0, 12.0)).unwrap() - 37.5).abs() < 1e-9);
@@ -122,14 +127,35 @@ mod tests {
     fn circles_at_the_end_of_a_leg_take_their_time() {
         let mut route = east();
         route.way_points[1].action = WayPointAction::Loiter {
-            radius: -50.0,
+            radius: -100.0,
             turns: 2.0,
         };
-        let time = legs(&route, None, 20.0, &Wind::default())[0].time.unwrap();
+        let time = legs(&route, None, AIRCRAFT, &Wind::default())[0]
+            .time
+            .unwrap();
         assert!(
-            (time - 30.0 - 10.0 * std::f64::consts::PI).abs() < 1e-9,
+            (time - 30.0 - 20.0 * std::f64::consts::PI).abs() < 1e-9,
             "{time}"
         );
+    }
+
+    #[test]
+    fn circles_that_are_tighter_than_the_aircraft_can_fly_take_as_long_as_it_does() {
+        let aircraft = pilotage_core::plan::planned_aircraft();
+        let mut route = east();
+        let mut time = |radius| {
+            route.way_points[1].action = WayPointAction::Loiter {
+                radius,
+                turns: 10.0,
+            };
+            let flies = (aircraft.cruise, aircraft.bank_limit);
+            let leg = legs(&route, None, flies, &Wind::default())[0];
+            leg.time.unwrap() - 600.0 / aircraft.cruise
+        };
+        // Ten circles of v² / (g tan 29°) = 65.5 m at 18.87 m/s; a radius of zero is the autopilot's own.
+        for radius in [0.0, 20.0, -20.0] {
+            assert!((time(radius) - 218.0).abs() < 1.0, "{}", time(radius));
+        }
     }
 
     #[test]
@@ -141,12 +167,12 @@ mod tests {
         };
         route.way_points[1].action = wait(Some(45.0));
         assert_eq!(
-            legs(&route, None, 20.0, &Wind::default())[0].time,
+            legs(&route, None, AIRCRAFT, &Wind::default())[0].time,
             Some(75.0)
         );
         route.way_points[1].action = wait(None);
         assert_eq!(
-            legs(&route, None, 20.0, &Wind::default())[0].time,
+            legs(&route, None, AIRCRAFT, &Wind::default())[0].time,
             Some(30.0)
         );
     }
@@ -156,14 +182,14 @@ mod tests {
         let mut route = east();
         route.way_points[1].speed = Some(10.0);
         let back = [GroundPoint::new(0.0, 600.0), GroundPoint::new(0.0, 0.0)];
-        let all = legs(&route, Some(back), 20.0, &Wind::default());
+        let all = legs(&route, Some(back), AIRCRAFT, &Wind::default());
         assert_eq!(totals(&all), (1200.0, Some(90.0)));
         assert!((all[1].course.unwrap().to_degrees() - 270.0).abs() < 1e-9);
     }
 
     #[test]
     fn the_course_counts_clockwise_from_north() {
-        let leg = legs(&east(), None, 20.0, &Wind::default())[0];
+        let leg = legs(&east(), None, AIRCRAFT, &Wind::default())[0];
         assert!((leg.course.unwrap().to_degrees() - 90.0).abs() < 1e-9);
     }
 }

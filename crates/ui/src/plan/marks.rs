@@ -2,7 +2,7 @@
 
 use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::mission::{Mission, Route, WayPointAction};
+use pilotage_core::mission::{Mission, Route, WayPoint, WayPointAction};
 
 use super::actions::action_words;
 use super::symbols::{paint_home, paint_triangle};
@@ -117,16 +117,22 @@ pub fn paint_action(
         let beside = at + vec2(17.0, 0.0);
         paint_triangle(painter, beside, is_take_off, tokens.outline(), tokens);
     }
+    if let Some(radius) = radius_around(way_point, bank) {
+        let radius = view.points(radius);
+        painter.circle_stroke(at, radius, Stroke::new(3.5, tokens.outline()));
+        painter.circle_stroke(at, radius, Stroke::new(1.5, tokens.accent));
+    }
+}
+
+/// Radius of the circle that is drawn around a way-point, metres: as it is flown with a bank, radians, or as it is stated for
+/// waiting without an end.
+pub fn radius_around(way_point: &WayPoint, bank: f64) -> Option<f64> {
     let stated = match way_point.action {
         WayPointAction::Wait { radius, .. } => Some(radius),
         _ => None,
     };
     let flown = circles_at(way_point, bank).map(|(radius, _)| radius);
-    if let Some(radius) = flown.or(stated).map(f64::abs).filter(|r| *r > 0.0) {
-        let radius = view.points(radius);
-        painter.circle_stroke(at, radius, Stroke::new(3.5, tokens.outline()));
-        painter.circle_stroke(at, radius, Stroke::new(1.5, tokens.accent));
-    }
+    flown.or(stated).map(f64::abs).filter(|r| *r > 0.0)
 }
 
 /// Draws the rally points.

@@ -164,7 +164,7 @@ impl Planner {
         };
         let wind = self.wind(documents);
         let way_back = way_back(route, documents);
-        let legs = legs(route, way_back, cruise(), &wind);
+        let legs = legs(route, way_back, (cruise(), self.preferences.bank), &wind);
         let (speed, speed_unit) = units.speed();
         let camera = camera(documents);
         let across = camera.horizontal_fov();
@@ -193,6 +193,7 @@ impl Planner {
         let scene = BriefScene {
             mission: &documents.mission.name,
             route,
+            bank: self.preferences.bank,
             left: energy_left(&legs, &self.preferences),
             legs: &legs,
             way_back,

@@ -59,7 +59,8 @@ pub fn route_tab(
     });
     ui.add_space(tokens.space);
     let air = planner.wind(documents);
-    let legs = legs(route, way_back(route, documents), cruise(), &air);
+    let flies = (cruise(), planner.preferences.bank);
+    let legs = legs(route, way_back(route, documents), flies, &air);
     let (length, time) = totals(&legs);
     ui.horizontal(|ui| {
         caption(ui, tokens, "Legs");
