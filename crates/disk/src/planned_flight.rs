@@ -84,6 +84,8 @@ pub struct PlannedFlight {
     /// Files of the disk that it was read from: the mission, the map and what says where that lies, the flight whose camera is
     /// flown. The elevation model is not among them.
     pub read: Vec<PathBuf>,
+    /// Pictures a second, where they are fewer than usual.
+    frame_rate: Option<f64>,
     /// Way of the planned flight.
     pub way: FlownWay,
     /// The planned flight, of whose landmarks nothing is expected yet.
@@ -139,6 +141,14 @@ impl PlannedFlight {
             None => None,
         };
         let ground_down = flown.as_ref().map_or(0.0, |flight| flight.ground_down);
+        let frame_rate = flown.as_ref().and_then(|it| PlannedPath::frame_rate_of(it));
+        let frame_rate = PlannedPath::sparse(frame_rate);
+        if let Some(rate) = frame_rate {
+            notes.push(format!(
+                "a picture every {:.1} s, as on the flight",
+                1.0 / rate
+            ));
+        }
         let stated = mission.camera.clone();
         let stated = stated.or_else(|| Some(flown?.camera.clone()));
         if stated.is_none() && !matches!(source, MapSource::World(_)) {
@@ -179,6 +189,7 @@ impl PlannedFlight {
             ground_down,
             notes,
             read,
+            frame_rate,
             way: FlownWay::default(),
             plan: None,
         };
@@ -240,6 +251,7 @@ impl PlannedFlight {
             ground_down: 0.0,
             notes: Vec::new(),
             read: Vec::new(),
+            frame_rate: None,
             way: FlownWay::default(),
             plan: None,
         };
@@ -258,6 +270,7 @@ impl PlannedFlight {
         let path = PlannedPath {
             wind,
             ground_down: self.ground_down,
+            frame_rate: self.frame_rate,
             ..PlannedPath::level(Vec::new(), self.height, self.camera.clone())
         };
         PredictionOrder::along(path, &self.mission)

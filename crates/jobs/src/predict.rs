@@ -44,7 +44,10 @@ impl PlannedPath {
             wind: self.wind.velocity(),
             longest: longest_flight(&self.way_points, airframe.cruise),
             airframe,
-            sensors: SensorSpec::default(),
+            sensors: SensorSpec {
+                frame_rate: self.frame_rate.unwrap_or_else(Self::usual_frame_rate),
+                ..SensorSpec::default()
+            },
             camera: self.camera.clone(),
             frame_on_globe: LocalFrame::new(world_origin()),
             ground_down: self.ground_down,
@@ -92,5 +95,85 @@ impl Order for PredictionOrder {
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Predict(self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::camera::CameraModel;
+    use pilotage_core::flight::{Flight, Frame, StartFix};
+    use pilotage_core::frames::GroundPoint;
+    use pilotage_core::plan::{DetectionStatistics, ExpectedDetection};
+    use pilotage_core::simulate::Scenario;
+
+    use super::*;
+
+    /// Prediction over the landmarks of a scenario, each found in six pictures of ten, with so many pictures a second.
+    fn predicted(frame_rate: Option<f64>) -> RoutePrediction {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mission = scenario.mission();
+        let path = PlannedPath {
+            frame_rate,
+            ..PlannedPath::level(scenario.route.clone(), scenario.height, Scenario::camera())
+        };
+        let found = DetectionStatistics::everywhere(ExpectedDetection {
+            recognised: 1.0,
+            per_frame: 0.6,
+            covariance: nalgebra::Matrix4::identity() * 0.01,
+        });
+        let landmarks = mission.landmarks.iter();
+        let order = PredictionOrder {
+            landmarks: landmarks.map(|it| (it.clone(), found.clone())).collect(),
+            worlds: 16,
+            ..PredictionOrder::along(path, &mission)
+        };
+        order.predict().unwrap()
+    }
+
+    #[test]
+    fn a_camera_that_takes_fewer_pictures_is_predicted_with_a_wider_corridor() {
+        let mean = |prediction: &RoutePrediction| {
+            let across = prediction.samples.iter().map(|it| it.corridor.across);
+            across.sum::<f64>() / prediction.samples.len() as f64
+        };
+        let usual = predicted(None);
+        assert_eq!(predicted(Some(2.0)), usual);
+        let slow = predicted(Some(1.0 / 3.0));
+        let ratio = usual.samples.len() as f64 / slow.samples.len() as f64;
+        assert!((ratio - 6.0).abs() < 0.2, "one of six pictures: {ratio}");
+        let (usual, slow) = (mean(&usual), mean(&slow));
+        assert!(slow > 1.2 * usual, "{slow} {usual}");
+    }
+
+    #[test]
+    fn the_rate_of_a_flights_pictures_is_that_of_most_pairs() {
+        let taken = |times: &[f64]| {
+            let frames = times.iter().map(|time| Frame {
+                time: *time,
+                name: String::new(),
+                stored_turn: 0.0,
+            });
+            PlannedPath::frame_rate_of(&Flight {
+                name: String::new(),
+                frame_on_globe: None,
+                camera: CameraModel::pinhole(640, 480, 1.0),
+                ground_down: 0.0,
+                channels: Vec::new(),
+                frames: frames.collect(),
+                start: StartFix {
+                    time: 0.0,
+                    position: GroundPoint::default(),
+                    standard_deviation: 1.0,
+                },
+                truth: None,
+            })
+        };
+        // Every four seconds, and none in a turn.
+        let slow = taken(&[0.0, 4.0, 8.0, 12.0, 40.0, 44.0]);
+        assert_eq!(slow, Some(0.25));
+        assert_eq!(PlannedPath::sparse(slow), slow);
+        assert_eq!(PlannedPath::sparse(taken(&[0.0, 0.5, 1.0])), None);
+        assert_eq!(PlannedPath::sparse(taken(&[0.0, 0.04, 0.08])), None);
+        assert_eq!(taken(&[3.0]), None);
     }
 }

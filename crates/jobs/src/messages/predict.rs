@@ -1,12 +1,13 @@
 //! A plan whose uncertainty is to be predicted.
 
 use pilotage_core::camera::CameraModel;
+use pilotage_core::flight::Flight;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::DetectionStatistics;
-use pilotage_core::simulate::{Target, Wind};
+use pilotage_core::simulate::{SensorSpec, Target, Wind};
 use serde::{Deserialize, Serialize};
 
 /// Room beside a leg that is flown over because of wind and turns, metres.
@@ -33,6 +34,9 @@ pub struct PlannedPath {
     pub camera: CameraModel,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+    /// Pictures a second; as many as the simulator's camera takes if `None`.
+    #[serde(default)]
+    pub frame_rate: Option<f64>,
 }
 
 /// Planned flight whose uncertainty is to be predicted.
@@ -83,7 +87,29 @@ impl PlannedPath {
             wind: Wind::default(),
             camera,
             ground_down: 0.0,
+            frame_rate: None,
         }
+    }
+
+    /// Pictures a second of the camera that took a flight, by the median of the times between two; `None` where it has fewer
+    /// than two.
+    pub fn frame_rate_of(flight: &Flight) -> Option<f64> {
+        let pairs = flight.frames.windows(2);
+        let between = pairs.map(|pair| pair[1].time - pair[0].time);
+        let mut between: Vec<f64> = between.filter(|time| *time > 0.0).collect();
+        between.sort_by(f64::total_cmp);
+        between.get(between.len() / 2).map(|time| 1.0 / time)
+    }
+
+    /// Pictures a second with which a flight by such a camera is planned, where it takes fewer than the simulator's. Of more,
+    /// each shows what the one before it showed, and is found or missed with it: they are not counted.
+    pub fn sparse(frame_rate: Option<f64>) -> Option<f64> {
+        frame_rate.filter(|rate| *rate < 0.99 * Self::usual_frame_rate())
+    }
+
+    /// Pictures a second of the simulator's camera.
+    pub fn usual_frame_rate() -> f64 {
+        SensorSpec::default().frame_rate
     }
 
     /// Ground that the camera may see, by legs.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
-use super::flown::{ground_down, height, line, usual_altitude};
+use super::flown::{ground_down, height, line, planned_frame_rate, usual_altitude};
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::documents::Documents;
@@ -26,6 +26,7 @@ impl Planner {
             bank: Some(self.preferences.bank),
             wind: self.wind(documents),
             ground_down: ground_down(documents),
+            frame_rate: planned_frame_rate(documents),
             ..PlannedPath::level(vec![from, to], field.view.height, field.view.camera.clone())
         };
         let flight = PredictionOrder {

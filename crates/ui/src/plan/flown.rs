@@ -7,7 +7,7 @@ use pilotage_core::plan::{FlownWay, home_way_point};
 use pilotage_core::simulate::{Scenario, Wind};
 
 use crate::documents::Documents;
-use pilotage_jobs::PlanCircumstances;
+use pilotage_jobs::{PlanCircumstances, PlannedPath};
 
 /// The mean wind of the open flight.
 pub fn flight_wind(documents: &Documents) -> Wind {
@@ -23,6 +23,31 @@ pub fn camera(documents: &Documents) -> CameraModel {
         .clone()
         .or(flown)
         .unwrap_or_else(Scenario::camera)
+}
+
+/// Pictures a second that the camera of the open flight takes, if it took any.
+fn frame_rate(documents: &Documents) -> Option<f64> {
+    let flown = documents.flight.measured.as_ref();
+    flown.and_then(PlannedPath::frame_rate_of)
+}
+
+/// Pictures a second with which is planned, where that is fewer than usual.
+pub fn planned_frame_rate(documents: &Documents) -> Option<f64> {
+    PlannedPath::sparse(frame_rate(documents))
+}
+
+/// Sentence on how often a picture is assumed to be taken.
+pub fn pictures_words(documents: &Documents) -> String {
+    let own = frame_rate(documents);
+    let usual = PlannedPath::usual_frame_rate();
+    match (own, PlannedPath::sparse(own)) {
+        (_, Some(rate)) => format!("A picture every {:.1} s, as on the flight.", 1.0 / rate),
+        (Some(own), None) if own > 1.01 * usual => {
+            format!("{usual} pictures a second, of the {own:.0} that the flight's camera takes.")
+        }
+        (Some(_), None) => format!("{usual} pictures a second, as on the flight."),
+        (None, None) => format!("{usual} pictures a second."),
+    }
 }
 
 /// Down coordinate of the ground plane, metres.
@@ -92,4 +117,68 @@ pub fn flown_way(route: &Route, documents: &Documents, bank: f64) -> FlownWay {
 /// The altitude of a first way-point.
 pub fn usual_altitude(documents: &Documents) -> Altitude {
     documents.flight.source.usual_altitude()
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::flight::{Flight, Frame, StartFix};
+
+    use super::super::planner::Planner;
+    use super::super::route_tab::assumptions;
+    use super::*;
+    use crate::documents::Session;
+    use crate::units::Units;
+
+    /// A flight with three pictures so many seconds apart.
+    fn photographed(apart: f64) -> Flight {
+        let frames = (0..3).map(|number| Frame {
+            time: apart * f64::from(number),
+            name: String::new(),
+            stored_turn: 0.0,
+        });
+        Flight {
+            name: String::new(),
+            frame_on_globe: None,
+            camera: Scenario::camera(),
+            ground_down: 0.0,
+            channels: Vec::new(),
+            frames: frames.collect(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 1.0,
+            },
+            truth: None,
+        }
+    }
+
+    #[test]
+    fn a_route_is_planned_with_as_few_pictures_as_the_open_flight_has_and_says_so() {
+        let mut documents = Documents::new(&Session::demo());
+        let places = [0.0, 900.0].map(|east| GroundPoint::new(0.0, east));
+        let route = line(&places, usual_altitude(&documents));
+        documents.mission.route = Some(documents.add_made(route, "Route"));
+        let planner = Planner::default();
+        for (apart, rate, words) in [
+            (None, None, "2 pictures a second."),
+            (
+                Some(4.0),
+                Some(0.25),
+                "A picture every 4.0 s, as on the flight.",
+            ),
+            (Some(0.5), None, "2 pictures a second, as on the flight."),
+            (
+                Some(0.04),
+                None,
+                "2 pictures a second, of the 25 that the flight's camera takes.",
+            ),
+        ] {
+            documents.flight.measured = apart.map(photographed);
+            let planned = planner.order(&documents).unwrap().path.frame_rate;
+            assert_eq!(planned, rate, "{words}");
+            let route = documents.mission.selected_route().unwrap();
+            let said = assumptions(&planner, &documents, route, Units::Metric);
+            assert!(said.iter().any(|it| it == words), "{said:?}");
+        }
+    }
 }

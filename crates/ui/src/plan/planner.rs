@@ -15,7 +15,8 @@ use super::drawn_landmarks::DrawnLandmarks;
 use super::examination::Examination;
 use super::finder::Finder;
 use super::flown::{
-    camera, flight_wind, flown_way, ground_down, height, line, planned_with, usual_altitude,
+    camera, flight_wind, flown_way, ground_down, height, line, planned_frame_rate, planned_with,
+    usual_altitude,
 };
 use super::forecast::Forecast;
 use super::heat::Heat;
@@ -250,6 +251,7 @@ impl Planner {
             bank: Some(bank),
             wind: self.wind(documents),
             ground_down: ground_down(documents),
+            frame_rate: planned_frame_rate(documents),
             ..PlannedPath::level(way.places, height(route, documents), camera)
         };
         Some(PredictionOrder {

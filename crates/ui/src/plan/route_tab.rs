@@ -8,7 +8,7 @@ use super::PlanCommand;
 use super::actions::ends;
 use super::aircraft::{aircraft, energy_left, tight_legs};
 use super::button::button;
-use super::flown::way_back;
+use super::flown::{pictures_words, way_back};
 use super::legs::{legs, time_text, totals};
 use super::pattern_card::pattern_card;
 use super::patterns::Pattern;
@@ -323,6 +323,7 @@ pub fn assumptions(
         used.len(),
         &planner.untested.words(),
     )];
+    list.push(pictures_words(documents));
     let climbs = route
         .way_points
         .windows(2)

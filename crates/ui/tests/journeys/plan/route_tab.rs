@@ -26,7 +26,9 @@ fn a_way_point_is_deleted_and_comes_back_by_undo() {
     let mut rig = planning();
     draw(&mut rig, &BEND);
     choose(&mut rig, 2);
-    rig.harness.get_by_label("Delete the way-point").click();
+    rig.harness
+        .get_by_label("Delete the way-point")
+        .click_accesskit();
     rig.settle();
     assert_eq!(way_points(&rig, 0), 2);
     rig.key_with(egui::Modifiers::COMMAND, Key::Z);
@@ -56,7 +58,9 @@ fn a_route_is_split_where_a_way_point_is_chosen() {
     let mut rig = planning();
     draw(&mut rig, &BEND);
     choose(&mut rig, 2);
-    rig.harness.get_by_label("Split the route here").click();
+    rig.harness
+        .get_by_label("Split the route here")
+        .click_accesskit();
     rig.settle();
     assert_eq!((way_points(&rig, 0), way_points(&rig, 1)), (2, 2));
     let ends = |r: usize, w: usize| routes(&rig)[r]["way_points"][w]["north"].clone();
