@@ -16,8 +16,12 @@ use super::profile::{ProfileSample, on_leg, profile};
 /// begin.
 const UNEVEN: f64 = 4.0;
 const SHORTEST_PIECE: f64 = 200.0;
-/// Places at which a piece is looked at.
-const BENDS: u32 = 20;
+/// Places at which a piece is looked at, at least, and for each of the shortest pieces in it, and at most.
+const BENDS: f64 = 20.0;
+/// See [`BENDS`].
+const LOOKS: f64 = 4.0;
+/// See [`BENDS`].
+const MOST_BENDS: f64 = 2000.0;
 
 /// Most circles that are predicted at a way-point.
 pub const MOST_CIRCLES: f64 = 20.0;
@@ -78,7 +82,7 @@ impl<'a> RouteGround<'a> {
     /// Mean height of a route above the ground below it, metres; of its first way-point where it has no length, and
     /// `None` without any.
     pub fn mean_above(&self, route: &Route) -> Option<f64> {
-        let samples = profile(route, self.height_at, self.take_off);
+        let samples = profile(route, self.height_at, self.take_off, f64::INFINITY);
         let (mut sum, mut length) = (0.0, 0.0);
         for pair in samples.windows(2) {
             let step = pair[1].distance - pair[0].distance;
@@ -246,7 +250,8 @@ impl FlownWay {
 fn bend(above: &dyn Fn(f64) -> f64, (a, b): (f64, f64), least: f64, bends: &mut Vec<f64>) {
     let (from, to) = (above(a), above(b));
     let off = |s: f64| (above(s) - from - (s - a) / (b - a) * (to - from)).abs();
-    let inner = (1..BENDS).map(|i| a + (b - a) * f64::from(i) / f64::from(BENDS));
+    let looks = (LOOKS * (b - a) / least).clamp(BENDS, MOST_BENDS).ceil();
+    let inner = (1..looks as u32).map(|i| a + (b - a) * f64::from(i) / looks);
     let worst = inner
         .filter(|s| s - a >= least && b - s >= least)
         .map(|s| (s, off(s)))
@@ -262,6 +267,31 @@ fn bend(above: &dyn Fn(f64) -> f64, (a, b): (f64, f64), least: f64, bends: &mut 
 mod tests {
     use super::*;
     use pilotage_base::frames::Geodetic;
+
+    #[test]
+    fn a_ridge_on_a_long_leg_is_flown_over_as_low_as_it_is() {
+        // 40 km with a ridge 1 km wide between two of twenty places, 80 of 120 m high.
+        let ridge = |p: &GroundPoint| 80.0 * (1.0 - ((p.east - 21_000.0) / 500.0).abs()).max(0.0);
+        let at = |east| {
+            let altitude = Altitude::new(120.0, AltitudeFrame::Amsl);
+            WayPoint::new(GroundPoint::new(0.0, east), altitude)
+        };
+        let route = Route {
+            way_points: vec![at(0.0), at(40_000.0)],
+            ..Route::default()
+        };
+        let ground = RouteGround {
+            height_at: &ridge,
+            take_off: 0.0,
+            is_level: false,
+        };
+        let frame = LocalFrame::new(Geodetic::from_degrees(46.0, -92.0, 0.0));
+        let way = FlownWay::along(&route, &frame, &ground, 0.5);
+        let heights = way.targets.iter().map(|it| it.height);
+        let lowest = heights.fold(f64::INFINITY, f64::min);
+        // Within 25 m of the top.
+        assert!((40.0..=44.0).contains(&lowest), "{lowest}");
+    }
 
     #[test]
     fn a_circle_over_a_no_fly_area_is_told_of_the_leg_that_leads_to_it() {

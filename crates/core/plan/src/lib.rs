@@ -62,7 +62,7 @@ pub use offered::OfferedField;
 pub use poses::{poses_all_over, poses_over, shows_ground};
 pub use prediction::{PredictionSample, RoutePrediction, Stretch};
 pub use prediction_calibration::{PlanComparison, Verification, compare};
-pub use profile::{ProfileSample, lowest, on_leg, profile};
+pub use profile::{AirbornePart, ProfileSample, airborne, lowest, on_leg, profile};
 pub use proposal::{Proposal, ProposalQuestion};
 pub use question::{Aim, BudgetOf, Forbidden, RouteQuestion};
 pub use random_route::{random_places, random_route};

@@ -1,10 +1,14 @@
 //! The heights of a route over the ground, along it.
 
 use pilotage_base::frames::{AltitudeFrame, AltitudeReference, GroundPoint};
-use pilotage_mission::mission::{Route, WayPoint};
+use pilotage_mission::mission::{Route, WayPoint, WayPointAction};
 
-/// Distances at which the heights of a route are looked at.
-const SAMPLES: usize = 240;
+/// Distances at which the heights of a route are looked at, at least and at most.
+const SAMPLES: f64 = 240.0;
+/// See [`SAMPLES`].
+const MOST_SAMPLES: f64 = 4096.0;
+/// Height above ground up to which an aircraft counts as on it, metres.
+const ON_THE_GROUND: f64 = 1.0;
 
 /// Heights at one place of a route.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,20 +69,22 @@ pub fn on_leg<'a>(
     }
 }
 
-/// Heights along `route`, see [`on_leg`].
+/// Heights along `route`, see [`on_leg`], at most `step` metres apart, as far as that is not too many.
 pub fn profile(
     route: &Route,
     ground: &dyn Fn(&GroundPoint) -> f64,
     take_off: f64,
+    step: f64,
 ) -> Vec<ProfileSample> {
     let length = route.length();
+    let wanted = (length / step.max(1e-3)).clamp(SAMPLES, MOST_SAMPLES);
     let mut samples = Vec::new();
     let mut before = 0.0;
     for pair in route.way_points.windows(2) {
         let (a, b) = (&pair[0], &pair[1]);
         let leg = a.position.distance(&b.position);
         let at = on_leg((a, b), ground, take_off);
-        let parts = ((leg / length.max(1.0)) * SAMPLES as f64).ceil().max(1.0) as usize;
+        let parts = ((leg / length.max(1.0)) * wanted).ceil().max(1.0) as usize;
         let first = usize::from(!samples.is_empty());
         for part in first..=parts {
             let share = part as f64 / parts as f64;
@@ -90,6 +96,47 @@ pub fn profile(
         before += leg;
     }
     samples
+}
+
+/// Part of a route's heights that is flown in the air.
+#[derive(Clone, Copy, Debug)]
+pub struct AirbornePart<'a> {
+    /// Heights between take-off and landing.
+    pub samples: &'a [ProfileSample],
+    /// Whether a leg that begins on the ground is left out before them.
+    pub takes_off: bool,
+    /// Whether a leg to the landing is left out behind them.
+    pub lands: bool,
+}
+
+/// Heights `samples` of a route without the leg to its landing and one from a take-off on the ground; all of them where no
+/// others are left.
+pub fn airborne<'a>(route: &Route, samples: &'a [ProfileSample]) -> AirbornePart<'a> {
+    let leg = |pair: &[WayPoint]| pair[0].position.distance(&pair[1].position);
+    let mut legs = route.way_points.windows(2);
+    let first = route.way_points.first().map(|it| it.action);
+    let is_low = samples
+        .first()
+        .is_some_and(|it| it.above() <= ON_THE_GROUND);
+    let takes_off = first == Some(WayPointAction::TakeOff) && is_low;
+    let lands = route.lands();
+    let begin = legs.next().map_or(0.0, leg);
+    let end = route.length() - route.way_points.windows(2).next_back().map_or(0.0, leg);
+    // Rounding may put the way-points themselves to either side.
+    let from = samples.partition_point(|it| takes_off && it.distance < begin - 1e-6);
+    let to = samples.partition_point(|it| !lands || it.distance <= end + 1e-6);
+    match samples.get(from..to) {
+        Some(samples) if samples.len() > 1 => AirbornePart {
+            samples,
+            takes_off,
+            lands,
+        },
+        _ => AirbornePart {
+            samples,
+            takes_off: false,
+            lands: false,
+        },
+    }
 }
 
 /// The sample that is nearest to the ground.
@@ -118,10 +165,10 @@ mod tests {
 
     #[test]
     fn above_ground_the_route_follows_the_hill_and_above_take_off_it_does_not() {
-        let followed = profile(&route(AltitudeFrame::AboveGround), &hill, 400.0);
+        let followed = profile(&route(AltitudeFrame::AboveGround), &hill, 400.0, 50.0);
         let least = lowest(&followed).unwrap();
         assert!((least.flown - least.ground - 100.0).abs() < 1e-9);
-        let level = profile(&route(AltitudeFrame::AboveTakeOff), &hill, 400.0);
+        let level = profile(&route(AltitudeFrame::AboveTakeOff), &hill, 400.0, 50.0);
         let least = lowest(&level).unwrap();
         assert!(
             (least.flown - least.ground - 40.0).abs() < 1e-9,
@@ -129,5 +176,63 @@ mod tests {
         );
         assert!((least.distance - 500.0).abs() < 5.0);
         assert_eq!(level.last().unwrap().distance, 1000.0);
+    }
+
+    #[test]
+    fn the_lowest_place_is_over_the_hill_and_not_where_it_lands() {
+        let at = |east, metres| {
+            let altitude = Altitude::new(metres, AltitudeFrame::AboveTakeOff);
+            WayPoint::new(GroundPoint::new(0.0, east), altitude)
+        };
+        let mut way_points = vec![
+            at(-400.0, 0.0),
+            at(0.0, 75.0),
+            at(1000.0, 75.0),
+            at(2000.0, 0.0),
+        ];
+        way_points[0].action = WayPointAction::TakeOff;
+        way_points[3].action = WayPointAction::Land;
+        let mut route = Route {
+            way_points,
+            ..Route::default()
+        };
+        let found = |route: &Route| {
+            let samples = profile(route, &hill, 400.0, 10.0);
+            let part = airborne(route, &samples);
+            let low = *lowest(part.samples).unwrap();
+            (
+                low.above().round(),
+                low.distance.round(),
+                part.takes_off,
+                part.lands,
+            )
+        };
+        assert_eq!(found(&route), (15.0, 900.0, true, true));
+        // A take-off stated at the height to which it climbs is flown at that height.
+        route.way_points[0].altitude = route.way_points[1].altitude;
+        assert_eq!(found(&route), (15.0, 900.0, false, true));
+        // Of a route that is nothing but a landing, all counts.
+        route.way_points.drain(..2);
+        assert_eq!(found(&route), (0.0, 1000.0, false, false));
+    }
+
+    #[test]
+    fn a_hill_that_is_narrower_than_a_240th_of_the_way_is_not_passed_over() {
+        // 60 km over ground at 400 m with a hill of 80 m, 100 m wide, between two of 240 places.
+        let narrow =
+            |p: &GroundPoint| 400.0 + 80.0 * (1.0 - ((p.east - 30_125.0) / 50.0).abs()).max(0.0);
+        let mut route = route(AltitudeFrame::AboveTakeOff);
+        route.way_points[1].position.east = 60_000.0;
+        let least = |step| {
+            let samples = profile(&route, &narrow, 400.0, step);
+            lowest(&samples).unwrap().above()
+        };
+        assert!((least(f64::INFINITY) - 100.0).abs() < 1e-9);
+        // Posts 30 m apart: within 15 m of the top.
+        assert!(
+            (20.0..=20.0 + 80.0 * 15.0 / 50.0).contains(&least(30.0)),
+            "{}",
+            least(30.0)
+        );
     }
 }

@@ -144,6 +144,7 @@ impl Planner {
             ends_at_home,
             ground: &|place| relief.at(place),
             take_off,
+            step: relief.spacing(),
             source: &source,
             frame: relief.frame(),
             chosen: self.way_point,

@@ -5,7 +5,7 @@ use egui::{
 };
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::{Route, WayPointAction};
-use pilotage_core::plan::{ProfileSample, lowest, profile};
+use pilotage_core::plan::{AirbornePart, ProfileSample, airborne, lowest, profile};
 
 use super::symbols::{paint_home, paint_triangle};
 use super::words::{distance_text, long};
@@ -27,6 +27,8 @@ pub struct ProfileScene<'a> {
     pub ground: &'a dyn Fn(&GroundPoint) -> f64,
     /// Height of the place of take-off, metres above mean sea level.
     pub take_off: f64,
+    /// Distance at which the heights of the ground are looked at, metres.
+    pub step: f64,
     /// Source of the heights of the ground, in words.
     pub source: &'a str,
     /// Datum of the heights, in words.
@@ -45,13 +47,15 @@ pub struct ProfileScene<'a> {
 pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     let (outer, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
     let tokens = scene.tokens;
-    let samples = profile(scene.route, scene.ground, scene.take_off);
-    let (last, low) = (samples.last()?, lowest(&samples)?);
+    let samples = profile(scene.route, scene.ground, scene.take_off, scene.step);
+    let air = airborne(scene.route, &samples);
+    let (last, low) = (samples.last()?, lowest(air.samples)?);
     let (far, far_unit) = long(scene.units, last.distance);
     let (near, near_unit) = scene.units.length();
     let clearance = format!(
-        "lowest {:.0} {near_unit} above ground, at {}",
+        "lowest {:.0} {near_unit} above ground{}, at {}",
         low.above() * near,
+        between_words(&air),
         distance_text(low.distance, scene.units)
     );
     response.widget_info(|| {
@@ -136,6 +140,16 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     );
     clip.text(place, align, text, tokens.small(), tokens.text);
     Some(under.distance)
+}
+
+/// Words on the part of a route in which its lowest place is, where that is not all of it.
+fn between_words(part: &AirbornePart<'_>) -> &'static str {
+    match (part.takes_off, part.lands) {
+        (false, false) => "",
+        (true, false) => " after the take-off",
+        (false, true) => " before the landing",
+        (true, true) => " between take-off and landing",
+    }
 }
 
 /// Mesh of the area below a line, down to `bottom`.

@@ -93,6 +93,12 @@ impl Relief<'_> {
         self.terrain.heights().is_none()
     }
 
+    /// Metres between the posts of the elevation model; endless without one.
+    pub fn spacing(&self) -> f64 {
+        let grid = self.terrain.heights();
+        grid.map_or(f64::INFINITY, |grid| grid.spacing())
+    }
+
     /// Datum of its heights, to stand behind a number with its unit.
     pub fn frame(&self) -> &'static str {
         (self.terrain.heights()).map_or("AMSL", |grid| grid.datum().frame())
@@ -164,7 +170,7 @@ impl Relief<'_> {
 
 /// Places along a route.
 fn places(route: &Route) -> Vec<GroundPoint> {
-    let level = profile(route, &|_| 0.0, 0.0);
+    let level = profile(route, &|_| 0.0, 0.0, f64::INFINITY);
     level.into_iter().map(|s| s.place).collect()
 }
 
