@@ -2,12 +2,15 @@
 
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::plan::{
-    PlannedLandmark, PredictionRequest, RoutePrediction, longest_flight, planned_aircraft,
+    PlannedLandmark, PredictionRequest, RoutePrediction, cruise, longest_flight, planned_aircraft,
 };
 use pilotage_core::simulate::{FlightPlan, SensorSpec, world_origin};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::{Advance, JobEvent, PlannedPath, PredictionOrder, RunningJob, WorkerState};
+
+/// Time between two records of a simulated flight, seconds, and a little more.
+const RECORD: f64 = 0.06;
 
 /// A prediction as a job.
 pub struct Predict(pub PredictionOrder);
@@ -66,6 +69,18 @@ impl PredictionOrder {
         planned.collect()
     }
 
+    /// Whether the flight that a prediction is of was broken off before its end, as the wind is too strong to get on.
+    pub fn is_stopped(&self, prediction: &RoutePrediction) -> bool {
+        let path = &self.path;
+        let airspeed = path.airspeed.unwrap_or_else(cruise);
+        let longest = longest_flight(&path.way_points, airspeed);
+        let rate = path
+            .frame_rate
+            .unwrap_or_else(PlannedPath::usual_frame_rate);
+        let last = prediction.samples.last();
+        last.is_some_and(|last| last.time + 1.0 / rate + RECORD >= longest)
+    }
+
     /// Predicts.
     pub fn predict(&self) -> Result<RoutePrediction, String> {
         let (plan, landmarks) = (self.path.plan(), self.planned_landmarks());
@@ -104,7 +119,7 @@ mod tests {
     use pilotage_core::flight::{Flight, Frame, StartFix};
     use pilotage_core::frames::GroundPoint;
     use pilotage_core::plan::{DetectionStatistics, ExpectedDetection};
-    use pilotage_core::simulate::Scenario;
+    use pilotage_core::simulate::{Scenario, Wind};
 
     use super::*;
 
@@ -143,6 +158,26 @@ mod tests {
         assert!((ratio - 6.0).abs() < 0.2, "one of six pictures: {ratio}");
         let (usual, slow) = (mean(&usual), mean(&slow));
         assert!(slow > 1.2 * usual, "{slow} {usual}");
+    }
+
+    #[test]
+    fn a_flight_that_the_wind_stops_is_told_from_one_that_comes_to_its_end() {
+        let mission = Scenario::named("distinct-400ft-calm").unwrap().mission();
+        let places = [0.0, 800.0].map(|north| GroundPoint::new(north, 0.0));
+        let is_stopped = |speed: f64| {
+            let path = PlannedPath {
+                wind: Wind { from: 0.0, speed },
+                ..PlannedPath::level(places.to_vec(), 120.0, Scenario::camera())
+            };
+            let order = PredictionOrder {
+                worlds: 2,
+                ..PredictionOrder::along(path, &mission)
+            };
+            let prediction = order.predict().unwrap();
+            order.is_stopped(&prediction)
+        };
+        // Northward at 18.9 m/s: nothing, ten and more than all of it from ahead.
+        assert_eq!([0.0, 10.0, 25.0].map(is_stopped), [false, false, true]);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::flown::{camera, way_back};
 use super::legs::legs;
 use super::planner::Planner;
 use super::printing::{BriefLandmark, Printing};
-use super::route_tab::{assumptions, misled};
+use super::route_tab::{assumptions, misled, stopped};
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::shell::CommandLack;
@@ -189,6 +189,7 @@ impl Planner {
         ];
         assumed.extend(assumptions(self, documents, route, units));
         let mut warnings = self.no_fly_sentences(units);
+        warnings.extend(stopped(self).map(str::to_owned));
         warnings.extend(misled(self, documents));
         let scene = BriefScene {
             mission: &documents.mission.name,

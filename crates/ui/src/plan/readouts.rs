@@ -6,6 +6,7 @@ use pilotage_core::plan::Incursion;
 
 use super::incursion_check::IncursionCheck;
 use super::planner::Planner;
+use super::route_tab::stopped;
 use super::words::{PredictionFigures, distance_text};
 use crate::shell::{Headline, Light, Readout, hud};
 use crate::tokens::Tokens;
@@ -58,7 +59,9 @@ pub fn plan_readouts(
             ..plain("No-fly areas", words)
         });
     }
-    let (light, word) = if is_within {
+    let (light, word) = if stopped(planner).is_some() {
+        (Light::Poor, "wind too strong")
+    } else if is_within {
         (Light::Good, "in the limit")
     } else {
         (Light::Poor, "over the limit")

@@ -295,6 +295,9 @@ fn prediction(
         }
         planner.remedies_card(ui, context);
     }
+    if let Some(sentence) = stopped(planner) {
+        ui.label(egui::RichText::new(sentence).color(tokens.warning));
+    }
     if let Some(sentence) = misled(planner, documents) {
         ui.label(egui::RichText::new(sentence).color(tokens.warning));
     }
@@ -377,6 +380,16 @@ pub fn misled(planner: &Planner, documents: &Documents) -> Option<String> {
             names.join(", ")
         )
     })
+}
+
+/// Warning where the wind lets no flight come to the end of the route.
+pub fn stopped(planner: &Planner) -> Option<&'static str> {
+    let shown = planner.forecast.shown();
+    shown
+        .filter(|it| it.order.is_stopped(&it.prediction))
+        .map(|_| {
+            "The wind is too strong to get to the end: what is predicted is of the part that is flown."
+        })
 }
 
 fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
