@@ -129,7 +129,7 @@ impl Documents {
         self.mission.is_edited = true;
         let at = self.mission.routes.iter().position(|r| r.id == id)?;
         second.id = self.free_route_id();
-        second.name = format!("{}, second part", first.name);
+        second.name = self.free_route_name(&format!("{}, second part", first.name));
         let new = second.id;
         self.mission.routes[at] = first;
         self.mission.routes.insert(at + 1, second);
@@ -203,6 +203,19 @@ mod tests {
         assert_eq!(documents.mission.routes.len(), 2);
         assert_eq!(documents.undo(), Some(false), "the flight is not affected");
         assert_eq!(documents.mission.content, before);
+    }
+
+    #[test]
+    fn each_part_of_a_route_that_is_split_twice_has_a_name_of_its_own() {
+        let (mut documents, id) = documents();
+        let place = WayPoint::new(GroundPoint::new(600.0, 400.0), ALTITUDE);
+        documents.edit_route(id, EditStep::Whole, |r| r.way_points.push(place));
+        documents.split_route(id, 2).unwrap();
+        documents.split_route(id, 1).unwrap();
+        let mut names: Vec<_> = documents.mission.routes.iter().map(|r| &r.name).collect();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), 3, "{names:?}");
     }
 
     #[test]
