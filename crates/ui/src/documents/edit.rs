@@ -67,7 +67,7 @@ impl Documents {
         let known = self.mission.landmark(id).is_some();
         if known {
             self.mission.remember();
-            self.mission.landmarks.retain(|l| l.id != id);
+            self.mission.delete_landmarks(&[id]);
             self.mission.is_edited = true;
         }
         known

@@ -151,7 +151,7 @@ impl Documents {
         let known = self.mission.landmarks.iter().any(|l| ids.contains(&l.id));
         if known {
             self.mission.remember();
-            self.mission.landmarks.retain(|l| !ids.contains(&l.id));
+            self.mission.delete_landmarks(ids);
             self.mission.is_edited = true;
         }
         known
@@ -231,6 +231,25 @@ mod tests {
         assert_eq!(choice(&documents, 0), DetectorChoice::Template);
         assert_eq!(documents.undo(), Some(false));
         assert_eq!(documents.mission.landmarks[0].trained_text(), None);
+    }
+
+    #[test]
+    fn labels_go_and_come_back_with_their_landmark() {
+        let (mut documents, [_, point]) = documents();
+        documents
+            .mission
+            .mark_absent("00001.jpg", (640, 480), point);
+        let before = documents.mission.content.clone();
+        assert!(documents.delete_landmarks(&[point]));
+        assert!(documents.mission.labels.is_empty());
+        documents.undo();
+        assert!(documents.delete_landmark(point));
+        assert!(documents.mission.labels.is_empty());
+        let next = documents.add_drawn(&DrawnLandmark::Point(GroundPoint::new(0.0, 0.0)));
+        assert_eq!(documents.mission.label_counts(next), (0, 0));
+        documents.undo();
+        documents.undo();
+        assert_eq!(documents.mission.content, before);
     }
 
     #[test]

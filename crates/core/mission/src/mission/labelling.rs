@@ -51,9 +51,26 @@ impl Mission {
         };
         let labels = &mut self.labels[place];
         labels.forget(landmark);
-        if labels.boxes.is_empty() && labels.absent.is_empty() && labels.properties.is_empty() {
+        if labels.is_empty() {
             self.labels.remove(place);
         }
+        true
+    }
+
+    /// Takes landmarks away, and what was said of them in pictures; false if the mission has none of them.
+    pub fn delete_landmarks(&mut self, ids: &[u32]) -> bool {
+        let before = self.landmarks.len();
+        self.landmarks
+            .retain(|landmark| !ids.contains(&landmark.id));
+        if self.landmarks.len() == before {
+            return false;
+        }
+        for labels in &mut self.labels {
+            for id in ids {
+                labels.forget(*id);
+            }
+        }
+        self.labels.retain(|labels| !labels.is_empty());
         true
     }
 
@@ -98,6 +115,8 @@ impl Mission {
 mod tests {
     use super::*;
     use crate::mission::read_mission;
+    use pilotage_base::frames::{GroundPoint, GroundRect};
+    use pilotage_vision::landmark::Landmark;
 
     const SIZE: (u32, u32) = (640, 480);
 
@@ -132,5 +151,32 @@ mod tests {
         assert_eq!(mission.label_counts(1), (2, 0));
         assert!(mission.clear_label("00001.jpg", 1) && !mission.clear_label("00001.jpg", 1));
         assert_eq!(mission.labels.len(), 1, "nothing is left of the first");
+    }
+
+    #[test]
+    fn labels_go_with_their_landmark_and_are_never_those_of_the_next_one() {
+        let mut mission = mission();
+        let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
+        let add = |mission: &mut Mission, name: &str| {
+            let id = mission.free_landmark_id();
+            mission.landmarks.push(Landmark::new(id, name, bounds));
+            id
+        };
+        let [pool, barn] = ["Pool", "Barn"].map(|name| add(&mut mission, name));
+        mission.set_label("00001.jpg", SIZE, label(barn, 5.0));
+        mission.set_label("00001.jpg", SIZE, label(pool, 90.0));
+        mission.mark_absent("00002.jpg", SIZE, barn);
+        assert!(mission.delete_landmarks(&[barn]) && !mission.delete_landmarks(&[barn]));
+        assert_eq!(mission.label_counts(pool), (1, 0));
+        assert_eq!(
+            mission.labels.len(),
+            1,
+            "of the second picture nothing is said"
+        );
+        let next = add(&mut mission, "Shed");
+        assert_eq!(mission.label_counts(next), (0, 0));
+        // Labels of a landmark that is gone, as files of before may hold them.
+        mission.set_label("00001.jpg", SIZE, label(7, 200.0));
+        assert_eq!(mission.free_landmark_id(), 8);
     }
 }

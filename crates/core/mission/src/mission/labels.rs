@@ -112,6 +112,17 @@ impl FrameLabels {
         self.absent.contains(&landmark)
     }
 
+    /// Whether nothing is said of the picture.
+    pub(super) fn is_empty(&self) -> bool {
+        self.boxes.is_empty() && self.absent.is_empty() && self.properties.is_empty()
+    }
+
+    /// Ids of the landmarks of which something is said.
+    pub(super) fn landmarks(&self) -> impl Iterator<Item = u32> {
+        let boxes = self.boxes.iter().map(|b| b.landmark);
+        boxes.chain(self.absent.iter().copied())
+    }
+
     /// Takes away what was said of a landmark.
     pub(super) fn forget(&mut self, landmark: u32) {
         self.boxes.retain(|b| b.landmark != landmark);

@@ -164,9 +164,11 @@ impl Mission {
         stated.unwrap_or(self.origin.height - ground_down)
     }
 
-    /// An id that no landmark of the mission has.
+    /// An id that no landmark of the mission has, and none that labels of pictures tell of.
     pub fn free_landmark_id(&self) -> u32 {
-        self.landmarks.iter().map(|l| l.id + 1).max().unwrap_or(1)
+        let told = self.labels.iter().flat_map(FrameLabels::landmarks);
+        let taken = self.landmarks.iter().map(|l| l.id).chain(told);
+        taken.max().map_or(1, |id| id.saturating_add(1))
     }
 
     /// The name `wanted`, or another if a rally point of the mission has it.

@@ -30,10 +30,10 @@ impl FoundLabels {
     /// state. What belongs to none is left out and told.
     pub fn placed(mut self, landmarks: &[Landmark]) -> (Vec<FrameLabels>, Vec<String>) {
         let mut left_out: BTreeMap<String, usize> = BTreeMap::new();
+        let mut by_number: BTreeMap<(String, u32), usize> = BTreeMap::new();
         let mut twice = 0;
         let id_of = |name: &str, id: u32| {
-            let same = |l: &&Landmark| l.name.trim().eq_ignore_ascii_case(name.trim());
-            let named = landmarks.iter().find(same);
+            let named = landmarks.iter().find(|l| is_called(l, name));
             let numbered = || landmarks.iter().find(|l| l.id == id);
             named.or_else(numbered).map(|l| l.id)
         };
@@ -44,6 +44,11 @@ impl FoundLabels {
                     *left_out.entry(label.name.clone()).or_default() += 1;
                     return false;
                 };
+                let is_named = |l: &&Landmark| l.id == id && !is_called(l, &label.name);
+                if let Some(other) = landmarks.iter().find(is_named) {
+                    let names = (label.name.clone(), other.id);
+                    *by_number.entry(names).or_default() += 1;
+                }
                 label.landmark = id;
                 let is_first = seen.insert(id);
                 twice += usize::from(!is_first);
@@ -58,6 +63,13 @@ impl FoundLabels {
         for (name, count) in left_out {
             notes.push(format!(
                 "{count} × “{name}” is left out: no landmark of the mission has that name"
+            ));
+        }
+        for ((name, id), count) in by_number {
+            let taken = landmarks.iter().find(|l| l.id == id);
+            notes.push(format!(
+                "{count} × “{name}” is taken for “{}”, which has its number",
+                taken.map_or("", |l| l.name.as_str())
             ));
         }
         if twice > 0 {
@@ -88,6 +100,11 @@ impl FoundLabels {
         }
         (self.frames, self.notes)
     }
+}
+
+/// Whether a landmark has that name, however it is written.
+fn is_called(landmark: &Landmark, name: &str) -> bool {
+    landmark.name.trim().eq_ignore_ascii_case(name.trim())
 }
 
 /// A box that a file states, in our pixels; the error says, in words that stand behind a count, why it is none.

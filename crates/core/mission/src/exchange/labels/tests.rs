@@ -65,6 +65,19 @@ fn labels_come_back_from_both_formats_as_they_were() {
 }
 
 #[test]
+fn a_label_that_is_given_to_a_landmark_by_its_number_alone_is_told() {
+    let written = write_labels(LabelFormat::Coco, &labels(), &landmarks()).unwrap();
+    let mut renamed = landmarks();
+    renamed[1].name = "Bridge".to_owned();
+    let (frames, notes) = read_back(LabelFormat::Coco, &written.bytes).placed(&renamed);
+    assert_eq!(frames[0].boxes.len(), 2);
+    assert_eq!(
+        notes,
+        ["1 × “Pool” is taken for “Bridge”, which has its number"]
+    );
+}
+
+#[test]
 fn what_other_programs_write_beside_boxes_is_written_again() {
     let voc = "<annotation><folder>a &amp; b</folder><filename>x.png</filename>\
         <size><width>64</width><height>48</height><depth>3</depth></size><segmented>0</segmented>\
