@@ -235,7 +235,9 @@ pub fn labelled_flight(
     let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
         return Ok(None);
     };
-    Ok(Some(flight_at(path, None, None)?.open))
+    let open = flight_at(path, None, None)?.open;
+    tell(&ground.mission.told_of_labels(&open.flight.identity()));
+    Ok(Some(open))
 }
 
 fn print(row: &TrainedRow) {

@@ -6,6 +6,9 @@ use super::{Channel, ChannelName, Frame, Truth};
 use pilotage_base::frames::{Attitude, GroundPoint, LocalFrame};
 use pilotage_raster::camera::CameraModel;
 
+/// Frame by whose place flights of one name are told apart: late enough for wind and gusts to have moved them.
+const EARLY_FRAME: usize = 10;
+
 /// The position with which navigation begins.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StartFix {
@@ -60,6 +63,54 @@ pub struct Flight {
 }
 
 impl Flight {
+    /// Name by which this flight is known from others, also from those of the same name: with where it starts, and where the
+    /// carrier of its camera truly was at an early frame, if that is known. Other wind or other gusts change that; another
+    /// camera, other times of its pictures and laps that are added do not.
+    ///
+    /// ```
+    /// # use pilotage_base::frames::GroundPoint;
+    /// # use pilotage_flight::{Flight, StartFix};
+    /// # use pilotage_raster::camera::CameraModel;
+    /// # let flight = Flight {
+    /// #     name: "Route".to_owned(),
+    /// #     camera: CameraModel::pinhole(640, 480, 1.0),
+    /// #     channels: Vec::new(),
+    /// #     frames: Vec::new(),
+    /// #     start: StartFix { time: 0.0, position: GroundPoint::new(12.5, -3.0), standard_deviation: 5.0 },
+    /// #     frame_on_globe: None,
+    /// #     ground_down: 0.0,
+    /// #     truth: None,
+    /// # };
+    /// // Of a flight that starts 12.5 m north and 3 m west of the origin of a world that lies nowhere.
+    /// assert_eq!(flight.identity(), "Route from 12.5 m, -3.0 m");
+    /// ```
+    pub fn identity(&self) -> String {
+        let place = self.told_place(&self.start.position);
+        let frames = self.truth.as_ref().map_or(&[][..], |truth| &truth.frames);
+        let early = frames.get(EARLY_FRAME).or(frames.last());
+        let over = early.map_or_else(String::new, |early| {
+            let place = GroundPoint::new(early.position.x, early.position.y);
+            format!(" over {}", self.told_place(&place))
+        });
+        format!("{} from {place}{over}", self.name)
+    }
+
+    /// A place in words, to 0.1 m: on the globe where that is known.
+    fn told_place(&self, place: &GroundPoint) -> String {
+        // Zero has no sign.
+        let rounded = |value: f64, steps: f64| (value * steps).round() / steps + 0.0;
+        let metres = || {
+            let [north, east] = [place.north, place.east].map(|value| rounded(value, 10.0));
+            format!("{north:.1} m, {east:.1} m")
+        };
+        self.frame_on_globe.map_or_else(metres, |frame| {
+            let geodetic = frame.geodetic_from_ground(place);
+            let angles = [geodetic.latitude, geodetic.longitude].map(f64::to_degrees);
+            let [latitude, longitude] = angles.map(|value| rounded(value, 1e6));
+            format!("{latitude:.6}°, {longitude:.6}°")
+        })
+    }
+
     /// The series of that name.
     pub fn channel(&self, name: ChannelName) -> Option<&Channel> {
         self.channels.iter().find(|c| c.name == name)

@@ -14,7 +14,8 @@ use pilotage_vision::landmark::Landmark;
 const FIRST_DAY: usize = 1000;
 
 /// The frames of `flight` in which `landmark` is labelled, and those labelled as without it, as photos to
-/// learn from; `picture` gives the frame with a number. Boxes that are cut or hard to see are left out.
+/// learn from; `picture` gives the frame with a number. Labels of other flights are left out, as are boxes
+/// that are cut or hard to see.
 ///
 /// A label says where in the picture the landmark is. Turn, tilt and size are those of the measured
 /// heading, attitude and height, and as uncertain as they are: where the aircraft was does not matter.
@@ -28,8 +29,11 @@ pub fn labelled_photos(
     mut picture: impl FnMut(usize) -> Result<Picture, FrameError>,
 ) -> Result<Vec<TrainingPhoto>, FrameError> {
     let mut photos = Vec::new();
+    let identity = flight.identity();
     for (index, frame) in flight.frames.iter().enumerate() {
-        let Some(said) = labels.iter().find(|l| l.frame == frame.name) else {
+        let of_frame = || labels.iter().filter(|l| l.frame == frame.name);
+        let own = of_frame().find(|l| l.flight == identity);
+        let Some(said) = own.or_else(|| of_frame().find(|l| l.is_of(&identity))) else {
             continue;
         };
         let camera = flight.camera_of_frame(index);

@@ -340,6 +340,12 @@ fn a_label_shows_the_landmark_as_well_as_the_map_does_wherever_the_aircraft_was(
     ];
     let read = |_| Ok(frame.picture.clone());
     let photos = labelled_photos(&flight, &labels, &landmark, read).unwrap();
+    let mut others = labels.clone();
+    for said in &mut others {
+        said.flight = "flight from 0.0 m, 0.5 m".to_owned();
+    }
+    let of_another = labelled_photos(&flight, &others, &landmark, read).unwrap();
+    assert!(of_another.is_empty(), "its pictures have the same names");
     let present: Vec<(bool, usize)> = photos.iter().map(|p| (p.present, p.day)).collect();
     assert_eq!(present, [(true, 1000), (false, 1002)]);
     let shown = DetectorWindow::around(&landmark.bounds, 1.0, Variants::default());

@@ -160,6 +160,8 @@ impl Documents {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::mission::LabelledPicture;
+
     use super::*;
     use crate::documents::Session;
 
@@ -236,9 +238,12 @@ mod tests {
     #[test]
     fn labels_go_and_come_back_with_their_landmark() {
         let (mut documents, [_, point]) = documents();
-        documents
-            .mission
-            .mark_absent("00001.jpg", (640, 480), point);
+        let picture = LabelledPicture {
+            flight: String::new(),
+            frame: "00001.jpg".to_owned(),
+            size: (640, 480),
+        };
+        documents.mission.mark_absent(&picture, point);
         let before = documents.mission.content.clone();
         assert!(documents.delete_landmarks(&[point]));
         assert!(documents.mission.labels.is_empty());
@@ -246,7 +251,7 @@ mod tests {
         assert!(documents.delete_landmark(point));
         assert!(documents.mission.labels.is_empty());
         let next = documents.add_drawn(&DrawnLandmark::Point(GroundPoint::new(0.0, 0.0)));
-        assert_eq!(documents.mission.label_counts(next), (0, 0));
+        assert_eq!(documents.mission.label_counts("", next), (0, 0));
         documents.undo();
         documents.undo();
         assert_eq!(documents.mission.content, before);

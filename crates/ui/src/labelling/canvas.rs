@@ -7,7 +7,7 @@ use egui::{
 use pilotage_core::mission::LabelBox;
 
 use super::drag::BoxDrag;
-use super::{LabelCommand, Labeller, color_of};
+use super::{LabelCommand, Labeller, color_of, said_of};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::views::{CameraView, parts};
@@ -57,7 +57,7 @@ impl Labeller {
         let response = ui.allocate_rect(outer, Sense::click_and_drag());
         let size = (flight.camera.width as u32, flight.camera.height as u32);
         let name = flight.frames[frame].name.as_str();
-        parts::name(&response, described(context, name));
+        parts::name(&response, described(context, frame, name));
         let placement = self.placement(ui, &response, outer, size);
         self.drawn = Some((placement.rect, size));
         let painter = ui.painter_at(outer);
@@ -75,7 +75,7 @@ impl Labeller {
         }
         self.take_pointer(ui, &response, context, frame, placement, size);
         Self::take_keys(ui, context, frame, size);
-        self.paint(&painter, context, name, placement);
+        self.paint(&painter, context, frame, placement);
     }
 
     fn placement(
@@ -123,9 +123,7 @@ impl Labeller {
         placement: CanvasPlacement,
         size: (u32, u32),
     ) {
-        let Some(flight) = context.flight else { return };
-        let name = &flight.frames[frame].name;
-        let labels = context.mission.labels_of(name);
+        let labels = said_of(context, frame);
         let selected = context.selection;
         let own = labels.zip(selected).and_then(|(labels, id)| labels.of(id));
         if let Some(at) = response.hover_pos() {
@@ -238,10 +236,10 @@ impl Labeller {
             step(Key::ArrowLeft, Key::ArrowRight),
             step(Key::ArrowUp, Key::ArrowDown),
         ];
-        let Some(flight) = context.flight.filter(|_| by != [0.0; 2]) else {
+        if by == [0.0; 2] {
             return;
-        };
-        let labels = context.mission.labels_of(&flight.frames[frame].name);
+        }
+        let labels = said_of(context, frame);
         let own = labels.zip(context.selection).and_then(|(l, id)| l.of(id));
         let Some(own) = own else { return };
         let moved = |corner: [f64; 2]| [corner[0] + by[0], corner[1] + by[1]];
@@ -264,12 +262,12 @@ impl Labeller {
         &self,
         painter: &Painter,
         context: &ViewContext<'_>,
-        name: &str,
+        frame: usize,
         placement: CanvasPlacement,
     ) {
         let tokens = context.tokens;
         let mut taken = Vec::new();
-        let labels = context.mission.labels_of(name);
+        let labels = said_of(context, frame);
         for label in labels.into_iter().flat_map(|l| &l.boxes) {
             let (rect, color) = (placement.of(label), color_of(context, label.landmark));
             let is_selected = context.selection == Some(label.landmark);
@@ -354,8 +352,8 @@ fn grip(rect: Rect, at: Pos2) -> Option<[[bool; 2]; 2]> {
 }
 
 /// Description of the picture's labels in a line, for those who do not see it.
-fn described(context: &ViewContext<'_>, name: &str) -> String {
-    let labels = context.mission.labels_of(name);
+fn described(context: &ViewContext<'_>, frame: usize, name: &str) -> String {
+    let labels = said_of(context, frame);
     let boxes: Vec<String> = labels
         .into_iter()
         .flat_map(|l| &l.boxes)

@@ -1,7 +1,7 @@
 //! Labels of pictures: edits, files.
 
 use pilotage_core::exchange::labels::{FoundLabels, LabelFormat};
-use pilotage_core::mission::LabelBox;
+use pilotage_core::mission::{LabelBox, LabelledPicture};
 use pilotage_jobs::ExportOrder;
 
 use super::LabelCommand;
@@ -11,9 +11,6 @@ use crate::export_command::{ExportCommand, ExportedFile};
 use crate::feature::FeatureContext;
 use crate::host::stem;
 use crate::shell::{counted, sentences};
-
-/// Name of a picture, and its size in pixels.
-type LabelledFrame = (String, (u32, u32));
 
 /// Selects the landmark so many rows further down the list.
 pub(super) fn choose_landmark(rows: i32, context: &mut FeatureContext<'_>) {
@@ -34,10 +31,13 @@ pub(super) fn frame_at_cursor(context: &FeatureContext<'_>) -> Option<usize> {
     shown_frame(flight, context.playback.time)
 }
 
-fn frame_numbered(documents: &Documents, frame: usize) -> Option<LabelledFrame> {
+fn picture_of(documents: &Documents, frame: usize) -> Option<LabelledPicture> {
     let flight = documents.flight.measured.as_ref()?;
-    let size = (flight.camera.width as u32, flight.camera.height as u32);
-    Some((flight.frames.get(frame)?.name.clone(), size))
+    Some(LabelledPicture {
+        flight: flight.identity(),
+        frame: flight.frames.get(frame)?.name.clone(),
+        size: (flight.camera.width as u32, flight.camera.height as u32),
+    })
 }
 
 /// Puts a box into the picture of a frame; `finished` is false while a drag goes on.
@@ -48,14 +48,14 @@ pub(super) fn set_label(
     context: &mut FeatureContext<'_>,
 ) {
     let documents = &mut *context.documents;
-    let Some((name, size)) = frame_numbered(documents, frame) else {
+    let Some(picture) = picture_of(documents, frame) else {
         return;
     };
     documents
         .mission
         .history
         .begin_drag(&documents.mission.content);
-    documents.mission.set_label(&name, size, label);
+    documents.mission.set_label(&picture, label);
     if finished {
         documents
             .mission
@@ -69,23 +69,24 @@ pub(super) fn set_label(
 pub(super) fn say_of_label(command: &LabelCommand, context: &mut FeatureContext<'_>) -> bool {
     let frame = frame_at_cursor(context);
     let documents = &mut *context.documents;
-    let frame = frame.and_then(|frame| frame_numbered(documents, frame));
-    let (Some((name, size)), Some(landmark)) = (frame, *context.selection) else {
+    let frame = frame.and_then(|frame| picture_of(documents, frame));
+    let (Some(picture), Some(landmark)) = (frame, *context.selection) else {
         return false;
     };
     let before = documents.mission.clone();
     let mission = &mut documents.mission.content;
     match command {
-        LabelCommand::MarkAbsent => mission.mark_absent(&name, size, landmark),
+        LabelCommand::MarkAbsent => mission.mark_absent(&picture, landmark),
         LabelCommand::ToggleDifficult => {
-            let own = mission.labels_of(&name).and_then(|l| l.of(landmark));
+            let labels = mission.labels_of(&picture.flight, &picture.frame);
+            let own = labels.and_then(|l| l.of(landmark));
             if let Some(mut label) = own.cloned() {
                 label.difficult = !label.difficult;
-                mission.set_label(&name, size, label);
+                mission.set_label(&picture, label);
             }
         }
         _ => {
-            mission.clear_label(&name, landmark);
+            mission.clear_label(&picture.flight, &picture.frame, landmark);
         }
     }
     if *mission != before {
@@ -123,17 +124,26 @@ pub(super) fn export_labels(format: LabelFormat, context: &mut FeatureContext<'_
 /// Adds the labels of opened files to the mission, as one step, and says what became of them.
 pub(super) fn add_labels(file: &str, found: FoundLabels, context: &mut FeatureContext<'_>) {
     let documents = &mut *context.documents;
-    let (frames, mut notes) = found.placed(&documents.mission.landmarks);
+    let (mut frames, mut notes) = found.placed(&documents.mission.landmarks);
     if frames.is_empty() {
         let title = format!("No labels were added from {file}");
         let text = "None of them is of a landmark of the mission".to_owned();
         notes.insert(0, text);
         return context.trouble(&title, sentences(&notes));
     }
-    let flown = documents.flight.measured.iter().flat_map(|f| &f.frames);
+    let flight = documents.flight.measured.as_ref();
+    let identity = flight.map(pilotage_core::flight::Flight::identity);
+    let identity = identity.unwrap_or_default();
+    let flown = flight.into_iter().flat_map(|f| &f.frames);
     let flown: std::collections::BTreeSet<&str> = flown.map(|f| f.name.as_str()).collect();
-    let others = frames.iter().filter(|f| !flown.contains(f.frame.as_str()));
-    let others = others.count();
+    let mut others = 0;
+    for labels in &mut frames {
+        if flown.contains(labels.frame.as_str()) && labels.is_of(&identity) {
+            labels.flight.clone_from(&identity);
+        } else {
+            others += 1;
+        }
+    }
     if others > 0 {
         notes.push(format!(
             "{others} of the pictures are none of the flight that is open"

@@ -12,7 +12,7 @@ pub use feature::Labelling;
 
 use egui::{Color32, Rect, Vec2};
 use pilotage_core::exchange::labels::LabelFormat;
-use pilotage_core::mission::LabelBox;
+use pilotage_core::mission::{FrameLabels, LabelBox};
 
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -112,8 +112,7 @@ impl Labeller {
         let found = || {
             let id = context.selection?;
             let is_asked = self.always || self.asked == Some((frame, id));
-            let flight = context.flight?;
-            let labels = context.mission.labels_of(&flight.frames[frame].name);
+            let labels = said_of(context, frame);
             let is_said = labels.is_some_and(|l| l.of(id).is_some() || l.lacks(id));
             if !is_asked || is_said {
                 return None;
@@ -122,6 +121,13 @@ impl Labeller {
         };
         self.proposal = found().map(|label| (frame, label));
     }
+}
+
+/// Labels of a frame of the flight that is open.
+fn said_of<'a>(context: &ViewContext<'a>, frame: usize) -> Option<&'a FrameLabels> {
+    let flight = context.flight?;
+    let frame = flight.frames.get(frame)?;
+    context.mission.labels_of(&flight.identity(), &frame.name)
 }
 
 /// Colour of the landmark in that row of the list.

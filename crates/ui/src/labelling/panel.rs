@@ -2,8 +2,9 @@
 
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::exchange::labels::LabelFormat;
+use pilotage_core::flight::Flight;
 
-use super::{LabelCommand, Labeller, color};
+use super::{LabelCommand, Labeller, color, said_of};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
@@ -88,8 +89,8 @@ impl Labeller {
 
     fn rows(ui: &mut Ui, context: &ViewContext<'_>, commands: &mut Vec<Command>) {
         let tokens = context.tokens;
-        let frame = context.flight.zip(context.shown_frame());
-        let labels = frame.and_then(|(f, i)| context.mission.labels_of(&f.frames[i].name));
+        let labels = context.shown_frame().and_then(|i| said_of(context, i));
+        let identity = context.flight.map(Flight::identity).unwrap_or_default();
         ui.horizontal(|ui| {
             caption(ui, tokens, "Landmark");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -97,7 +98,7 @@ impl Labeller {
             });
         });
         for (row, landmark) in context.mission.landmarks.iter().enumerate() {
-            let (boxes, without) = context.mission.label_counts(landmark.id);
+            let (boxes, without) = context.mission.label_counts(&identity, landmark.id);
             let is_chosen = context.selection == Some(landmark.id);
             let said = match labels {
                 Some(l) if l.of(landmark.id).is_some() => "labelled here",
@@ -156,6 +157,9 @@ impl Labeller {
                 commands.push(Command::SelectLandmark(Some(landmark.id)));
             }
         }
+        for words in context.mission.told_of_labels(&identity) {
+            ui.label(muted(tokens, words));
+        }
     }
 
     fn actions(&mut self, ui: &mut Ui, context: &ViewContext<'_>, commands: &mut Vec<Command>) {
@@ -170,8 +174,8 @@ impl Labeller {
             ));
             return;
         };
-        let frame = context.flight.zip(context.shown_frame());
-        let labels = frame.and_then(|(f, i)| context.mission.labels_of(&f.frames[i].name));
+        let frame = context.shown_frame();
+        let labels = frame.and_then(|i| said_of(context, i));
         let label = labels.and_then(|l| l.of(landmark.id));
         let is_said = label.is_some() || labels.is_some_and(|l| l.lacks(landmark.id));
         caption(ui, tokens, "In this picture");
@@ -219,7 +223,7 @@ impl Labeller {
                 }
             });
         }
-        let asked = frame.map(|(_, index)| (index, landmark.id));
+        let asked = frame.map(|index| (index, landmark.id));
         if !is_said && self.proposal.is_none() && asked.is_some() && self.asked == asked {
             let text = "No proposal: the pose of the picture does not see the landmark in it.";
             ui.label(muted(tokens, text));

@@ -7,18 +7,22 @@ use super::planner::Planner;
 use crate::documents::Documents;
 use pilotage_jobs::{FlightSource, LabelledFrames, TrainOrder};
 
-/// Labels of frames that tell of a landmark.
+/// Labels of frames of a flight that tell of a landmark.
 pub(super) fn labels_of<'a>(
     landmark: &'a Landmark,
+    flight: &'a str,
     mission: &'a Mission,
 ) -> impl Iterator<Item = &'a FrameLabels> {
     let told = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
-    mission.labels.iter().filter(told)
+    let own = mission.labels.iter().filter(|l| l.is_of(flight));
+    own.filter(told)
 }
 
 /// Frames of the flight that is open to learn a landmark from.
 fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames> {
-    let labels: Vec<_> = labels_of(landmark, &documents.mission).cloned().collect();
+    let flight = documents.flight.measured.as_ref()?.identity();
+    let labels = labels_of(landmark, &flight, &documents.mission);
+    let labels: Vec<_> = labels.cloned().collect();
     let is_open = documents.flight.source != FlightSource::Nothing;
     (is_open && !labels.is_empty()).then(|| LabelledFrames {
         flight: documents.flight.source.clone(),

@@ -1,6 +1,7 @@
 //! By which detector landmarks are looked for, and how the training of detectors goes.
 
 use egui::{Align2, DragValue, Label, ProgressBar, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use pilotage_core::flight::Flight;
 use pilotage_core::landmark::cascade::train::StageRow;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::training::{StageReport, TrainingPhase};
@@ -151,8 +152,11 @@ impl Planner {
 
 /// Draws the number of labelled frames that will be learned from as well, if any.
 fn labelled_words(ui: &mut Ui, landmarks: &[&Landmark], context: &ViewContext<'_>) {
-    let frames = landmarks.iter();
-    let text = match frames.map(|l| labels_of(l, context.mission).count()).sum() {
+    let Some(flight) = context.flight.map(Flight::identity) else {
+        return;
+    };
+    let count = |of: &&Landmark| labels_of(of, &flight, context.mission).count();
+    let text = match landmarks.iter().map(count).sum() {
         0 => return,
         1 => "And from 1 labelled frame.".to_owned(),
         count => format!("And from {count} labelled frames."),

@@ -14,7 +14,7 @@ use pilotage_jobs::{
 /// Key in the browser's storage.
 pub const TRAININGS_KEY: &str = "trainings";
 /// First byte of what is stored: the form of the bytes.
-const FORM: u8 = 2;
+const FORM: u8 = 3;
 /// Trainings that are worked on at a time; the others wait.
 const AT_A_TIME: usize = 2;
 /// Most trainings that are kept, the latest.

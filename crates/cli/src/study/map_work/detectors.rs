@@ -86,7 +86,11 @@ impl Piecework for TrainedDetectors {
         let names: Vec<String> = (open.flight.frames.iter())
             .map(|frame| frame.name.clone())
             .collect();
-        let is_labelled = |name: &str| labelled.labels.iter().any(|label| label.frame == name);
+        let flight = open.flight.identity();
+        let is_labelled = |name: &str| {
+            let mut own = labelled.labels.iter().filter(|label| label.is_of(&flight));
+            own.any(|label| label.frame == name)
+        };
         let pictures = names
             .iter()
             .enumerate()

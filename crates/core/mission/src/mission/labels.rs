@@ -83,9 +83,24 @@ impl LabelBox {
     }
 }
 
+/// A picture that is labelled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LabelledPicture {
+    /// Its flight, as [`pilotage_flight::Flight::identity`] says it; empty where nobody said.
+    pub flight: String,
+    /// Its file name, as the flight has it.
+    pub frame: String,
+    /// Width and height, pixels.
+    pub size: (u32, u32),
+}
+
 /// Labels that people gave one picture. A landmark has one place in the world, so at most one box.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameLabels {
+    /// Flight of the picture, as [`pilotage_flight::Flight::identity`] says it; empty where nobody said. Other flights
+    /// have pictures of the same name.
+    #[serde(default)]
+    pub flight: String,
     /// File name of the picture, as the flight has it.
     pub frame: String,
     /// Width and height of the picture, pixels.
@@ -102,6 +117,11 @@ pub struct FrameLabels {
 }
 
 impl FrameLabels {
+    /// Whether the picture may be of that flight: it is, or nobody said of which it is.
+    pub fn is_of(&self, flight: &str) -> bool {
+        self.flight.is_empty() || self.flight == flight
+    }
+
     /// The box of a landmark.
     pub fn of(&self, landmark: u32) -> Option<&LabelBox> {
         self.boxes.iter().find(|b| b.landmark == landmark)

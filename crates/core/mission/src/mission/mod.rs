@@ -29,7 +29,7 @@ mod write;
 
 pub use circles::circles;
 pub use error::MissionError;
-pub use labels::{FrameLabels, LabelBox};
+pub use labels::{FrameLabels, LabelBox, LabelledPicture};
 pub use no_fly::NoFlyZone;
 pub use place_file::{belongs_to, place_files};
 pub use rally::RallyPoint;

@@ -60,6 +60,7 @@ fn mission() -> Mission {
             properties: [("lanes".to_owned(), "2".to_owned())].into(),
         }],
         labels: vec![FrameLabels {
+            flight: "Farm from 46.800000°, -92.000000°".to_owned(),
             frame: "00007.jpg".to_owned(),
             size: (640, 480),
             boxes: LabelBox::new(2, "pool", [[10.25, 20.0], [70.5, 90.125]], (640, 480))
@@ -358,4 +359,12 @@ fn whole_frames_of_a_mission_are_the_usual_ones_but_for_what_is_stated() {
         ..usual
     };
     assert_eq!(read.navigator.whole_frames, Some(expected));
+}
+
+#[test]
+fn labels_of_files_that_name_no_flight_are_read_and_of_any() {
+    let text = r#"{"type": "FeatureCollection", "pilotage_mission": 1, "features": [],
+        "labels": [{"frame": "00007.jpg", "size": [640, 480], "boxes": [], "absent": [1]}]}"#;
+    let read = read_mission(text.as_bytes()).unwrap();
+    assert_eq!(read.label_counts("Route from 0.0 m, 0.0 m", 1), (0, 1));
 }

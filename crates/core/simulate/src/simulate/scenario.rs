@@ -458,6 +458,36 @@ mod tests {
     use pilotage_flight::FrameTruth;
     use pilotage_roads::{RoadJoining, RoadMap};
 
+    #[test]
+    fn flights_of_one_name_are_known_by_where_they_went() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let identity = |seed, overrides: &Overrides| scenario.fly(seed, overrides).identity();
+        let first = identity(1, &Overrides::default());
+        assert!(first.starts_with("distinct-400ft-calm from "), "{first}");
+        // On another day the pictures are of the same ground from the same places.
+        let on_other_day = Overrides {
+            day: Some(FlightDay::Same),
+            ..Overrides::default()
+        };
+        assert_eq!(first, identity(1, &on_other_day));
+        assert_ne!(first, identity(2, &Overrides::default()));
+        let wind = Some(Wind {
+            from: 1.0,
+            speed: 5.0,
+        });
+        let in_wind = Overrides {
+            wind,
+            ..Overrides::default()
+        };
+        assert_ne!(first, identity(1, &in_wind));
+        let mut shifted = scenario.fly(1, &Overrides::default());
+        for frame in &mut shifted.frames {
+            frame.time += 0.4;
+        }
+        shifted.camera = CameraModel::pinhole(64, 48, 1.0);
+        assert_eq!(first, shifted.identity());
+    }
+
     /// For every frame, how many of the mission's landmarks lie in it.
     fn in_view(scenario: &Scenario) -> Vec<usize> {
         let (flight, mission) = (scenario.fly(1, &Overrides::default()), scenario.mission());

@@ -16,6 +16,8 @@ use crate::mission::{FrameLabels, MissionError};
 const MEMBER: &str = "coco:";
 /// Member of a picture with the categories that are certainly not in it.
 const ABSENT: &str = "pilotage_absent";
+/// Member of a picture with its flight.
+const FLIGHT: &str = "pilotage_flight";
 /// Member of a category that says that its number is that of a landmark.
 const OWN: &str = "pilotage_landmark";
 
@@ -66,6 +68,7 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
             .collect();
         places.insert(id, found.frames.len());
         found.frames.push(FrameLabels {
+            flight: text.take(&mut image, FLIGHT)?.unwrap_or_default(),
             frame: required(text, piece, &mut image, "file_name")?,
             size: (width, height),
             absent,
@@ -173,6 +176,9 @@ pub(super) fn write(frames: &[FrameLabels], names: &BTreeMap<u32, String>) -> St
         let mut image = json!({
             "id": number, "file_name": frame.frame, "width": width, "height": height,
         });
+        if !frame.flight.is_empty() {
+            image[FLIGHT] = json!(frame.flight);
+        }
         if !frame.absent.is_empty() {
             image[ABSENT] = json!(frame.absent);
         }

@@ -22,6 +22,7 @@ fn labels() -> Vec<FrameLabels> {
     hard.difficult = true;
     vec![
         FrameLabels {
+            flight: "River & back from 1.0 m, -2.5 m".to_owned(),
             frame: "00001.jpg".to_owned(),
             size: SIZE,
             boxes: vec![

@@ -9,7 +9,7 @@ use crate::exchange::xml::{NamedText, XmlElement};
 use crate::mission::FrameLabels;
 use pilotage_base::text::without_markup;
 
-/// Element that holds what only we know: ids, and landmarks that are not in the picture.
+/// Element that holds what only we know: ids, the flight, and landmarks that are not in the picture.
 const OWN: &str = "pilotage";
 /// Prefix of properties that are elements, as they stand.
 const ELEMENT: &str = "voc:";
@@ -44,7 +44,9 @@ pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError>
     };
     let size = (side("width")?, side("height")?);
     let mut found = FoundLabels::default();
+    let flight = root.child(OWN).and_then(|own| own.child_text("flight"));
     let mut labels = FrameLabels {
+        flight: flight.unwrap_or_default().to_owned(),
         frame: frame.to_owned(),
         size,
         properties: kept(&source, &root, &OF_PICTURE),
@@ -172,8 +174,12 @@ pub(super) fn write(frame: &FrameLabels, names: &BTreeMap<u32, String>) -> Strin
             label.landmark,
         );
     }
-    if !frame.absent.is_empty() {
+    if !(frame.absent.is_empty() && frame.flight.is_empty()) {
         let _ = writeln!(text, "\t<{OWN}>");
+        if !frame.flight.is_empty() {
+            let flight = without_markup(&frame.flight);
+            let _ = writeln!(text, "\t\t<flight>{flight}</flight>");
+        }
         for id in &frame.absent {
             let name = names.get(id).map_or("", String::as_str);
             let _ = writeln!(
