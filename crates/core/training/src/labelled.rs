@@ -40,12 +40,15 @@ pub fn labelled_photos(
         let label = said.of(landmark.id);
         let label = label.filter(|b| !b.truncated && !b.difficult);
         let is_absent = said.lacks(landmark.id);
-        // Labels may be of a picture of another size than the camera's.
-        let scale = camera.width as f64 / f64::from(said.size.0.max(1));
+        // Labels may be of a copy of the picture, of another size and shape.
+        let scale = [
+            camera.width as f64 / f64::from(said.size.0.max(1)),
+            camera.height as f64 / f64::from(said.size.1.max(1)),
+        ];
         let middle = match label {
             Some(label) => Point2::new(
-                0.5 * scale * (label.min[0] + label.max[0]),
-                0.5 * scale * (label.min[1] + label.max[1]),
+                0.5 * scale[0] * (label.min[0] + label.max[0]),
+                0.5 * scale[1] * (label.min[1] + label.max[1]),
             ),
             None if is_absent => camera.principal,
             None => continue,

@@ -346,6 +346,11 @@ fn a_label_shows_the_landmark_as_well_as_the_map_does_wherever_the_aircraft_was(
     }
     let of_another = labelled_photos(&flight, &others, &landmark, read).unwrap();
     assert!(of_another.is_empty(), "its pictures have the same names");
+    // Of copies that were stretched to a square the boxes are where they are of the pictures.
+    let stretched: Vec<_> = labels.iter().map(|said| said.at_size((320, 320))).collect();
+    let of_copies = labelled_photos(&flight, &stretched, &landmark, read).unwrap();
+    let [own, copy] = [&photos, &of_copies].map(|photos| photos[0].around.center());
+    assert!(own.distance(&copy) < 0.01, "{own:?} {copy:?}");
     let present: Vec<(bool, usize)> = photos.iter().map(|p| (p.present, p.day)).collect();
     assert_eq!(present, [(true, 1000), (false, 1002)]);
     let shown = DetectorWindow::around(&landmark.bounds, 1.0, Variants::default());

@@ -125,7 +125,8 @@ impl Labeller {
     ) {
         let labels = said_of(context, frame);
         let selected = context.selection;
-        let own = labels.zip(selected).and_then(|(labels, id)| labels.of(id));
+        let own = labels.as_ref().zip(selected);
+        let own = own.and_then(|(labels, id)| labels.of(id));
         if let Some(at) = response.hover_pos() {
             let grip = own.and_then(|label| grip(placement.of(label), at));
             ui.ctx().set_cursor_icon(match grip {
@@ -186,7 +187,7 @@ impl Labeller {
         if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
         {
-            let mut hit = labels.into_iter().flat_map(|l| &l.boxes);
+            let mut hit = labels.iter().flat_map(|l| &l.boxes);
             let hit = hit.find(|label| placement.of(label).expand(REACH).contains(at));
             if let Some(label) = hit {
                 let id = Some(label.landmark);
@@ -240,7 +241,8 @@ impl Labeller {
             return;
         }
         let labels = said_of(context, frame);
-        let own = labels.zip(context.selection).and_then(|(l, id)| l.of(id));
+        let own = labels.as_ref().zip(context.selection);
+        let own = own.and_then(|(labels, id)| labels.of(id));
         let Some(own) = own else { return };
         let moved = |corner: [f64; 2]| [corner[0] + by[0], corner[1] + by[1]];
         let low = if shift { own.min } else { moved(own.min) };
@@ -268,7 +270,7 @@ impl Labeller {
         let tokens = context.tokens;
         let mut taken = Vec::new();
         let labels = said_of(context, frame);
-        for label in labels.into_iter().flat_map(|l| &l.boxes) {
+        for label in labels.iter().flat_map(|l| &l.boxes) {
             let (rect, color) = (placement.of(label), color_of(context, label.landmark));
             let is_selected = context.selection == Some(label.landmark);
             let width = if is_selected { 2.0 } else { 1.5 };
@@ -355,7 +357,7 @@ fn grip(rect: Rect, at: Pos2) -> Option<[[bool; 2]; 2]> {
 fn described(context: &ViewContext<'_>, frame: usize, name: &str) -> String {
     let labels = said_of(context, frame);
     let boxes: Vec<String> = labels
-        .into_iter()
+        .iter()
         .flat_map(|l| &l.boxes)
         .map(|b| {
             let [width, height] = b.size();

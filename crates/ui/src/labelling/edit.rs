@@ -79,7 +79,8 @@ pub(super) fn say_of_label(command: &LabelCommand, context: &mut FeatureContext<
         LabelCommand::MarkAbsent => mission.mark_absent(&picture, landmark),
         LabelCommand::ToggleDifficult => {
             let labels = mission.labels_of(&picture.flight, &picture.frame);
-            let own = labels.and_then(|l| l.of(landmark));
+            let labels = labels.map(|l| l.at_size(picture.size));
+            let own = labels.as_ref().and_then(|l| l.of(landmark));
             if let Some(mut label) = own.cloned() {
                 label.difficult = !label.difficult;
                 mission.set_label(&picture, label);

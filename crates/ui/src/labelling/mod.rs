@@ -113,7 +113,9 @@ impl Labeller {
             let id = context.selection?;
             let is_asked = self.always || self.asked == Some((frame, id));
             let labels = said_of(context, frame);
-            let is_said = labels.is_some_and(|l| l.of(id).is_some() || l.lacks(id));
+            let is_said = labels
+                .as_ref()
+                .is_some_and(|l| l.of(id).is_some() || l.lacks(id));
             if !is_asked || is_said {
                 return None;
             }
@@ -123,11 +125,12 @@ impl Labeller {
     }
 }
 
-/// Labels of a frame of the flight that is open.
-fn said_of<'a>(context: &ViewContext<'a>, frame: usize) -> Option<&'a FrameLabels> {
+/// Labels of a frame of the flight that is open, in pixels of its camera.
+fn said_of(context: &ViewContext<'_>, frame: usize) -> Option<FrameLabels> {
     let flight = context.flight?;
     let frame = flight.frames.get(frame)?;
-    context.mission.labels_of(&flight.identity(), &frame.name)
+    let said = context.mission.labels_of(&flight.identity(), &frame.name)?;
+    Some(said.at_size((flight.camera.width as u32, flight.camera.height as u32)))
 }
 
 /// Colour of the landmark in that row of the list.

@@ -100,7 +100,7 @@ impl Labeller {
         for (row, landmark) in context.mission.landmarks.iter().enumerate() {
             let (boxes, without) = context.mission.label_counts(&identity, landmark.id);
             let is_chosen = context.selection == Some(landmark.id);
-            let said = match labels {
+            let said = match &labels {
                 Some(l) if l.of(landmark.id).is_some() => "labelled here",
                 Some(l) if l.lacks(landmark.id) => "not in this picture",
                 _ => "",
@@ -176,8 +176,8 @@ impl Labeller {
         };
         let frame = context.shown_frame();
         let labels = frame.and_then(|i| said_of(context, i));
-        let label = labels.and_then(|l| l.of(landmark.id));
-        let is_said = label.is_some() || labels.is_some_and(|l| l.lacks(landmark.id));
+        let is_labelled = labels.as_ref().is_some_and(|l| l.of(landmark.id).is_some());
+        let is_said = is_labelled || labels.is_some_and(|l| l.lacks(landmark.id));
         caption(ui, tokens, "In this picture");
         let buttons = [
             (
@@ -202,7 +202,7 @@ impl Labeller {
                 "Hard to see",
                 "Mark the label as hard to see, or not (Y)",
                 LabelCommand::ToggleDifficult,
-                label.is_some(),
+                is_labelled,
             ),
             (
                 "Delete",

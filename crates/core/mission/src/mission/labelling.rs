@@ -134,7 +134,7 @@ impl Mission {
         place(flight).or_else(|| place(""))
     }
 
-    /// The labels of a picture. Those of which nobody said the flight become those of the one in which they are changed.
+    /// The labels of a picture, in pixels of its size. Those of which nobody said the flight become those of the one in which they are changed.
     fn labels_entry(&mut self, picture: &LabelledPicture) -> &mut FrameLabels {
         let LabelledPicture {
             flight,
@@ -151,8 +151,8 @@ impl Mission {
             place
         });
         let labels = &mut self.labels[place];
+        *labels = labels.at_size(*size);
         labels.flight.clone_from(flight);
-        labels.size = *size;
         labels
     }
 }
@@ -255,6 +255,22 @@ mod tests {
             (1, 2)
         );
         assert_eq!(mission.label_counts(FLIGHT, 1), (0, 0));
+    }
+
+    #[test]
+    fn a_box_keeps_its_place_when_another_is_put_into_the_picture_in_another_size() {
+        let mut mission = mission();
+        let half = LabelledPicture {
+            size: (320, 240),
+            ..picture("00001.jpg")
+        };
+        mission.set_label(&half, label(1, 150.0));
+        mission.set_label(&picture("00001.jpg"), label(2, 5.0));
+        let labels = mission.labels_of(FLIGHT, "00001.jpg").unwrap();
+        assert_eq!(labels.size, SIZE);
+        let corners = |id| labels.of(id).map(|b| (b.min, b.max));
+        assert_eq!(corners(1), Some(([300.0, 20.0], [361.0, 84.5])));
+        assert_eq!(corners(2), Some(([5.0, 10.0], [35.5, 42.25])));
     }
 
     #[test]

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 const STEPS: f64 = 256.0;
 /// Least side of a box, pixels.
 const LEAST_SIDE: f64 = 2.0;
+/// Property with the outline of a label that a file of COCO had, in pixels.
+const OUTLINE: &str = "coco:segmentation";
 
 /// Box of a landmark in one picture.
 ///
@@ -81,6 +83,19 @@ impl LabelBox {
     pub fn size(&self) -> [f64; 2] {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]
     }
+
+    /// The box in a picture that is so many times as wide and as high. An outline beside it would be one of the other picture.
+    fn scaled(&self, by: [f64; 2]) -> Self {
+        let corner =
+            |corner: [f64; 2]| [0, 1].map(|axis| (corner[axis] * by[axis] * STEPS).round() / STEPS);
+        let mut scaled = Self {
+            min: corner(self.min),
+            max: corner(self.max),
+            ..self.clone()
+        };
+        scaled.properties.remove(OUTLINE);
+        scaled
+    }
 }
 
 /// A picture that is labelled.
@@ -122,6 +137,25 @@ impl FrameLabels {
         self.flight.is_empty() || self.flight == flight
     }
 
+    /// The same labels of a copy of the picture of another size: each side of a box goes with its side of the picture.
+    #[must_use]
+    pub fn at_size(&self, size: (u32, u32)) -> Self {
+        let is_known = self.size.0 > 0 && self.size.1 > 0;
+        if !is_known || self.size == size {
+            return Self {
+                size,
+                ..self.clone()
+            };
+        }
+        let by = [(size.0, self.size.0), (size.1, self.size.1)];
+        let by = by.map(|(to, from)| f64::from(to) / f64::from(from));
+        Self {
+            size,
+            boxes: self.boxes.iter().map(|label| label.scaled(by)).collect(),
+            ..self.clone()
+        }
+    }
+
     /// The box of a landmark.
     pub fn of(&self, landmark: u32) -> Option<&LabelBox> {
         self.boxes.iter().find(|b| b.landmark == landmark)
@@ -158,6 +192,22 @@ mod tests {
 
     fn label(landmark: u32, left: f64) -> LabelBox {
         LabelBox::new(landmark, "Barn", [[left, 10.0], [left + 30.5, 42.25]], SIZE).unwrap()
+    }
+
+    #[test]
+    fn boxes_go_with_the_size_of_their_picture_side_by_side() {
+        // The middle of a copy that was stretched to a square is the middle of the picture.
+        let square = FrameLabels {
+            size: (640, 640),
+            boxes: LabelBox::new(1, "", [[300.0, 310.0], [340.0, 330.0]], (640, 640))
+                .into_iter()
+                .collect(),
+            ..FrameLabels::default()
+        };
+        let whole = square.at_size((4000, 3000));
+        assert_eq!(whole.boxes[0].min, [1875.0, 1453.125]);
+        assert_eq!(whole.boxes[0].max, [2125.0, 1546.875]);
+        assert_eq!(whole.at_size((640, 640)), square);
     }
 
     #[test]
