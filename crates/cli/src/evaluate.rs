@@ -25,7 +25,8 @@ pub struct Arguments {
     /// a detector if absent.
     #[arg(long, value_name = "NAME")]
     landmark: Vec<String>,
-    /// A flight folder with its truth: its frames are looked at as well.
+    /// A flight folder with its truth: its frames are looked at as well, but for those in which the mission has the landmark
+    /// labelled and those that show mostly the same ground.
     #[arg(long, value_name = "FLIGHT_FOLDER")]
     frames: Option<PathBuf>,
     /// Photos of each landmark; as many as in the page if not said.
@@ -84,6 +85,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
                 .map_or(usual.photos, |photos| photos as usize),
             days: arguments.days.map_or(usual.days, |days| days as usize),
             seed: arguments.seed.unwrap_or(usual.seed),
+            labels: ground.mission.labels.clone(),
             most_frames: usize::MAX,
             false_alarms: arguments.false_alarms.unwrap_or(usual.false_alarms),
             ..usual

@@ -10,7 +10,7 @@ use pilotage_core::landmark::trained::TrainedDetector;
 use pilotage_core::training::FlightEnvelope;
 use pilotage_core::training::evaluation::{
     AtThreshold, DetectorJudge, EvaluatedLook, Evaluation, EvaluationSettings, FrameJudge,
-    JudgingPlan, Plot, Rate,
+    HeldOutFrames, JudgingPlan, Plot, Rate,
 };
 
 use super::flights::OpenFlight;
@@ -140,26 +140,33 @@ struct RealFrames {
     all: usize,
 }
 
+/// Frames that are looked at, and what is said of those that are not.
+type ChosenFrames = (Option<RealFrames>, Option<String>);
+
 impl RealFrames {
-    /// Of a flight whose truth is known.
+    /// Of a flight whose truth is known, without those that the detector may have learned from.
     fn of(
         worker: &mut WorkerState,
         source: &FlightSource,
-        most: usize,
-    ) -> Result<Option<Self>, String> {
+        order: &EvaluationOrder,
+    ) -> Result<ChosenFrames, String> {
         let flight = worker.flight(source)?;
-        let frames = {
+        let held_out = {
             let open = flight.borrow();
-            let frames = open.flight.truth.as_ref().map(|_| open.flight.frames.len());
-            frames.unwrap_or_default()
+            let has_truth = open.flight.truth.is_some();
+            let of = || HeldOutFrames::of(&open.flight, &order.labels, order.about.landmark.id);
+            has_truth.then(of).unwrap_or_default()
         };
-        let count = frames.min(most);
-        let left: Vec<_> = (0..count).rev().map(|i| i * frames / count).collect();
-        Ok((count > 0).then_some(Self {
+        let frames = &held_out.frames;
+        let count = frames.len().min(order.most_frames);
+        let left = (0..count).rev().map(|i| frames[i * frames.len() / count]);
+        let left = left.collect();
+        let real = (count > 0).then_some(Self {
             flight,
             all: count,
             left,
-        }))
+        });
+        Ok((real, held_out.told()))
     }
 }
 
@@ -169,6 +176,8 @@ struct JudgingWork {
     trained: TrainedDetector,
     envelope: FlightEnvelope,
     real: Option<RealFrames>,
+    /// Number of frames that are not looked at since it may have learned from them, in words.
+    left_out: Option<String>,
     looks: Vec<EvaluatedLook>,
 }
 
@@ -238,15 +247,16 @@ impl Evaluate {
             &envelope,
             self.plan(),
         );
-        let real = match &self.order.flight {
-            Some(source) => RealFrames::of(worker, source, self.order.most_frames)?,
-            None => None,
+        let (real, left_out) = match &self.order.flight {
+            Some(source) => RealFrames::of(worker, source, &self.order)?,
+            None => (None, None),
         };
         Ok(JudgingWork {
             judge,
             trained,
             envelope,
             real,
+            left_out,
             looks: Vec::new(),
         })
     }
@@ -316,7 +326,8 @@ impl Evaluate {
         let evaluation = Evaluation::of(looks, &settings)
             .map_err(|why| format!("\"{}\": {why}", landmark.name))?;
         let of = (landmark.id, landmark.name.as_str());
-        let report = EvaluationReport::of(of, looks, work.trained.least_score, &evaluation);
+        let mut report = EvaluationReport::of(of, looks, work.trained.least_score, &evaluation);
+        report.figures.extend(work.left_out.clone());
         Ok((report, evaluation))
     }
 }
@@ -413,6 +424,7 @@ mod tests {
         Cascade, CascadeFeature, NodeSplit, TrainedStage, TrainedTree,
     };
     use pilotage_core::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
+    use pilotage_core::mission::FrameLabels;
     use pilotage_core::simulate::Scenario;
 
     use super::*;
@@ -514,6 +526,40 @@ mod tests {
         assert!(report.csv.starts_with("curve,x,y,low,high,threshold\n"));
         assert!(report.plots.len() >= 4);
         assert!(report.plots.iter().all(|(_, svg)| svg.starts_with("<svg")));
+    }
+
+    #[test]
+    fn frames_that_are_labelled_are_no_frames_to_judge_by() {
+        let mut order = order(true);
+        let landmark = order.about.landmark.id;
+        let labels = |count: usize| {
+            let names = (0..count).map(|number| format!("{number:05}.jpg"));
+            let labels = names.map(|frame| FrameLabels {
+                frame,
+                size: (640, 480),
+                absent: vec![landmark],
+                ..FrameLabels::default()
+            });
+            labels.collect()
+        };
+        order.labels = labels(1000);
+        let all = events(order.clone());
+        let last = all.iter().rev().find_map(|event| match event {
+            JobEvent::Evaluation(report) => Some(report),
+            _ => None,
+        });
+        let report = last.expect("a report");
+        assert!(report.basis.contains(" 0 real;"), "{}", report.basis);
+        let told = report.figures.last().expect("figures");
+        assert!(told.starts_with("left out of the real frames: "), "{told}");
+        assert!(
+            told.ends_with(" labelled, 0 that show mostly the same ground"),
+            "{told}"
+        );
+        order.labels = labels(1);
+        order.most_frames = 2;
+        let judged: JudgedDetector = crate::running::figures(order.in_detail());
+        assert!(judged.evaluation.real > 0);
     }
 
     #[test]

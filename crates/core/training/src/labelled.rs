@@ -5,7 +5,7 @@ use nalgebra::{Point2, Point3};
 use super::photo::TrainingPhoto;
 use pilotage_base::frames::{GroundRect, Pose};
 use pilotage_flight::{ChannelName, Flight, FrameError};
-use pilotage_mission::mission::FrameLabels;
+use pilotage_mission::mission::{FrameLabels, LabelBox};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use pilotage_vision::landmark::Landmark;
@@ -31,14 +31,11 @@ pub fn labelled_photos(
     let mut photos = Vec::new();
     let identity = flight.identity();
     for (index, frame) in flight.frames.iter().enumerate() {
-        let of_frame = || labels.iter().filter(|l| l.frame == frame.name);
-        let own = of_frame().find(|l| l.flight == identity);
-        let Some(said) = own.or_else(|| of_frame().find(|l| l.is_of(&identity))) else {
+        let Some(said) = said_of(labels, &identity, &frame.name) else {
             continue;
         };
         let camera = flight.camera_of_frame(index);
-        let label = said.of(landmark.id);
-        let label = label.filter(|b| !b.truncated && !b.difficult);
+        let label = clear_box(said, landmark.id);
         let is_absent = said.lacks(landmark.id);
         // Labels may be of a copy of the picture, of another size and shape.
         let scale = [
@@ -71,6 +68,29 @@ pub fn labelled_photos(
         ));
     }
     Ok(photos)
+}
+
+/// Labels of a picture of a flight.
+fn said_of<'a>(labels: &'a [FrameLabels], flight: &str, frame: &str) -> Option<&'a FrameLabels> {
+    let of_frame = || labels.iter().filter(|l| l.frame == frame);
+    let own = of_frame().find(|l| l.flight == flight);
+    own.or_else(|| of_frame().find(|l| l.is_of(flight)))
+}
+
+/// The box of a landmark, if it is neither cut nor hard to see.
+fn clear_box(said: &FrameLabels, landmark: u32) -> Option<&LabelBox> {
+    let label = said.of(landmark);
+    label.filter(|b| !b.truncated && !b.difficult)
+}
+
+/// Indices of the frames of a flight from which a landmark is learned where these labels are learned from.
+pub(crate) fn learned_frames(flight: &Flight, labels: &[FrameLabels], landmark: u32) -> Vec<usize> {
+    let identity = flight.identity();
+    let tells = |said: &FrameLabels| clear_box(said, landmark).is_some() || said.lacks(landmark);
+    let frames = flight.frames.iter().enumerate();
+    let frames =
+        frames.filter(|(_, frame)| said_of(labels, &identity, &frame.name).is_some_and(tells));
+    frames.map(|(index, _)| index).collect()
 }
 
 /// Pose of the camera but for its place: over the origin, as high as measured.

@@ -1,5 +1,6 @@
 //! A detector to be judged, and what came of it.
 
+use pilotage_core::mission::FrameLabels;
 use pilotage_core::training::evaluation::{
     AtThreshold, EvaluatedLook, Evaluation, EvaluationSettings, Plot,
 };
@@ -19,6 +20,9 @@ pub struct EvaluationOrder {
     pub about: AssessmentOrder,
     /// A recorded flight; its frames are looked at if the truth of it is known.
     pub flight: Option<FlightSource>,
+    /// Labels from which the detector may have learned: frames with labels of the landmark are not looked at, nor are those
+    /// that show mostly the same ground.
+    pub labels: Vec<FrameLabels>,
     /// Photos to take.
     pub photos: usize,
     /// Days on which they are taken.
@@ -38,6 +42,7 @@ impl EvaluationOrder {
         Self {
             about,
             flight,
+            labels: Vec::new(),
             photos: PHOTOS.0,
             days: PHOTOS.1,
             seed: settings.seed,

@@ -1,6 +1,7 @@
 //! Judgement of a detector where it was not trained: asked for, taken.
 
 use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::FrameLabels;
 use pilotage_core::plan::Proposal;
 use pilotage_jobs::{EvaluationOrder, EvaluationReport, FlightSource, Job, JobEvent, JobId};
 use serde_json::Value;
@@ -112,6 +113,11 @@ fn judging(landmark: &Landmark, documents: &Documents) -> Job {
     let about = with.assessment(landmark);
     let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
     let flight = is_recorded.then(|| documents.flight.source.clone());
-    let order = EvaluationOrder::usual(about, flight);
+    let tells = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
+    let labels = documents.mission.labels.iter().filter(tells);
+    let order = EvaluationOrder {
+        labels: labels.cloned().collect(),
+        ..EvaluationOrder::usual(about, flight)
+    };
     Job::Evaluate(Box::new(order))
 }

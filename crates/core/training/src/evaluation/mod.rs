@@ -7,6 +7,7 @@ mod curve;
 mod draws;
 mod error;
 mod events;
+mod held_out_frames;
 mod isotonic;
 mod judge;
 mod look;
@@ -26,6 +27,7 @@ pub use calibration::{JudgedMark, Probability, ScoreBin, ScoreCalibration, brier
 pub use covariance::MarkCovariance;
 pub use curve::{Curve, CurveKind, CurvePoint, average_precision, trace};
 pub use error::EvaluationError;
+pub use held_out_frames::HeldOutFrames;
 pub use isotonic::Isotonic;
 pub(super) use judge::look;
 pub use judge::{DetectorJudge, JudgingPlan};

@@ -51,7 +51,7 @@ impl FrameJudge<'_> {
         index: usize,
         picture: &Picture,
     ) -> Vec<EvaluatedLook> {
-        let Some(pose) = self.pose(index) else {
+        let Some((pose, _)) = known_pose(self.flight, index) else {
             return Vec::new();
         };
         let frame = KnownFrame {
@@ -70,22 +70,6 @@ impl FrameJudge<'_> {
             looks.extend(self.look(trained, &frame, &other, false, &mut random));
         }
         looks
-    }
-
-    /// Pose of the camera, as far as it is known.
-    fn pose(&self, index: usize) -> Option<Pose> {
-        let truth = self.flight.truth.as_ref()?;
-        let of_frame = truth.frames.get(index);
-        if let Some(pose) = of_frame.and_then(pilotage_flight::FrameTruth::pose) {
-            return Some(pose);
-        }
-        let time = self.flight.frames.get(index)?.time;
-        Some(Pose {
-            position_in_world: of_frame
-                .map(|frame| frame.position)
-                .or_else(|| truth.position(time))?,
-            attitude: self.flight.attitude(time)?,
-        })
     }
 
     fn sees(&self, bounds: &GroundRect, pose: &Pose, index: usize) -> bool {
@@ -186,6 +170,23 @@ impl FrameJudge<'_> {
     }
 }
 
+/// Pose of the camera of a frame of a flight, and whether its attitude is the true one; else that is as it was measured.
+pub(super) fn known_pose(flight: &Flight, index: usize) -> Option<(Pose, bool)> {
+    let truth = flight.truth.as_ref()?;
+    let of_frame = truth.frames.get(index);
+    if let Some(pose) = of_frame.and_then(pilotage_flight::FrameTruth::pose) {
+        return Some((pose, true));
+    }
+    let time = flight.frames.get(index)?.time;
+    let pose = Pose {
+        position_in_world: of_frame
+            .map(|frame| frame.position)
+            .or_else(|| truth.position(time))?,
+        attitude: flight.attitude(time)?,
+    };
+    Some((pose, false))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -207,7 +208,7 @@ mod tests {
         let mut random = ChaCha8Rng::seed_from_u64(4);
         let (mut whole, mut elsewhere) = (0, 0);
         for index in 0..flight.frames.len() {
-            let pose = judge.pose(index).unwrap();
+            let (pose, _) = known_pose(&flight, index).unwrap();
             let truth = flight.truth.as_ref().unwrap().frames[index];
             assert_eq!(Some(pose), truth.pose());
             for landmark in &mission.landmarks {
@@ -236,14 +237,6 @@ mod tests {
         let scenario = Scenario::named("distinct-400ft-calm").unwrap();
         let mut flight = scenario.simulate(3, &Overrides::default()).flight;
         flight.truth = None;
-        let sensors = scenario.mission().navigator.sensors;
-        let envelope = FlightEnvelope::around(&flight.camera, scenario.height, sensors);
-        let judge = FrameJudge {
-            flight: &flight,
-            envelope: &envelope,
-            day: 0,
-            seed: 1,
-        };
-        assert!(judge.pose(0).is_none());
+        assert!(known_pose(&flight, 0).is_none());
     }
 }
