@@ -34,6 +34,8 @@ pub struct FrameJudge<'a> {
 /// A frame of which the pose is known.
 struct KnownFrame {
     pose: Pose,
+    /// Whether its attitude is the true one, and not only measured.
+    is_true: bool,
     camera: CameraModel,
     luminance: Pyramid,
 }
@@ -42,8 +44,8 @@ impl FrameJudge<'_> {
     /// A look for the landmark if the frame holds it whole, and one where it is not, if the frame has
     /// room. Nothing where the truth of the frame is not known.
     ///
-    /// The true attitude of a real frame is only measured: a mark is right within three standard
-    /// deviations of that, and offsets hold its error, too.
+    /// Where the true attitude of a frame is only measured, a mark is right within three standard deviations of that, and
+    /// offsets hold its error, too.
     pub fn looks(
         &self,
         landmark: &Landmark,
@@ -51,11 +53,12 @@ impl FrameJudge<'_> {
         index: usize,
         picture: &Picture,
     ) -> Vec<EvaluatedLook> {
-        let Some((pose, _)) = known_pose(self.flight, index) else {
+        let Some((pose, is_true)) = known_pose(self.flight, index) else {
             return Vec::new();
         };
         let frame = KnownFrame {
             pose,
+            is_true,
             camera: self.flight.camera_of_frame(index),
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
         };
@@ -91,6 +94,16 @@ impl FrameJudge<'_> {
     fn lever(&self, pose: &Pose) -> f64 {
         let sensors = &self.envelope.sensors;
         self.height(pose) * sensors.roll.max(sensors.pitch)
+    }
+
+    /// Distance from where the landmark appears within which a mark is right, metres.
+    fn tolerance(&self, frame: &KnownFrame) -> f64 {
+        let measured = if frame.is_true {
+            0.0
+        } else {
+            3.0 * self.lever(&frame.pose)
+        };
+        tolerance(self.height(&frame.pose) / frame.camera.focal).max(measured)
     }
 
     /// Distance around a place within which it is searched for, metres.
@@ -153,8 +166,7 @@ impl FrameJudge<'_> {
             center,
             (reach, reach),
         );
-        let pixel = self.height(pose) / camera.focal;
-        let near = present.then(|| tolerance(pixel).max(3.0 * self.lever(pose)));
+        let near = present.then(|| self.tolerance(frame));
         let marks = found.unwrap_or_default();
         let mark = |m: &Mark| EvaluatedMark::of(m, &appears, near);
         Some(EvaluatedLook {
@@ -230,6 +242,39 @@ mod tests {
             }
         }
         assert!(whole > 20 && elsewhere > 20, "{whole} {elsewhere}");
+    }
+
+    #[test]
+    fn marks_are_as_near_as_in_photos_but_where_the_attitude_is_only_measured() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mut flight = scenario.simulate(3, &Overrides::default()).flight;
+        let sensors = scenario.mission().navigator.sensors;
+        let envelope = FlightEnvelope::around(&flight.camera, scenario.height, sensors);
+        let near = |flight: &Flight| {
+            let judge = FrameJudge {
+                flight,
+                envelope: &envelope,
+                day: 0,
+                seed: 1,
+            };
+            let (pose, is_true) = known_pose(flight, 5).unwrap();
+            let frame = KnownFrame {
+                pose,
+                is_true,
+                camera: flight.camera.clone(),
+                luminance: Pyramid::new(Picture::from_fn(4, 4, |_, _| [0; 3]).to_gray(), 1),
+            };
+            (judge.tolerance(&frame), judge.height(&pose))
+        };
+        // From 400 ft two metres, as in photos: a mark 4 m beside the landmark is something else.
+        let (stated, _) = near(&flight);
+        assert_eq!(stated, 2.0);
+        for frame in &mut flight.truth.as_mut().unwrap().frames {
+            frame.camera_attitude = None;
+        }
+        let (measured, height) = near(&flight);
+        assert!((measured - 3.0 * height * sensors.roll.max(sensors.pitch)).abs() < 1e-9);
+        assert!(measured > 6.0, "{measured}");
     }
 
     #[test]
