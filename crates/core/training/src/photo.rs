@@ -150,6 +150,11 @@ impl Photographer {
         2.0 * self.reach() + bounds.width().hypot(bounds.height())
     }
 
+    /// Has the next photo be of the day whose turn it is for photo `number`.
+    pub(super) fn turn_to(&mut self, number: usize) {
+        self.taken = number;
+    }
+
     /// The next photo of the landmark; days take turns. `None` if it does not fit into the picture.
     pub fn take(&mut self) -> Option<TrainingPhoto> {
         let bounds = self.landmark.bounds;

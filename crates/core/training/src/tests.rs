@@ -102,7 +102,7 @@ fn frame_named(name: &str) -> Frame {
     }
 }
 
-struct FarmDays;
+pub(super) struct FarmDays;
 
 impl OtherDays for FarmDays {
     fn drawn(&self, seed: u64) -> Arc<dyn Imagery> {
@@ -113,14 +113,14 @@ impl OtherDays for FarmDays {
     }
 }
 
-fn farm() -> Arc<dyn Imagery> {
+pub(super) fn farm() -> Arc<dyn Imagery> {
     Arc::new(Farm {
         brighter: 0,
         grown: 0,
     })
 }
 
-fn house() -> Landmark {
+pub(super) fn house() -> Landmark {
     Landmark::new(
         7,
         "house",
@@ -128,7 +128,7 @@ fn house() -> Landmark {
     )
 }
 
-fn envelope() -> FlightEnvelope {
+pub(super) fn envelope() -> FlightEnvelope {
     let camera = CameraModel::pinhole(320, 240, 60_f64.to_radians());
     FlightEnvelope::around(&camera, 120.0, NavigatorSettings::default().sensors)
 }

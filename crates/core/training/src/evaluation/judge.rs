@@ -52,6 +52,8 @@ pub struct DetectorJudge {
     plan: JudgingPlan,
     random: ChaCha8Rng,
     next: usize,
+    /// Photos so far without the landmark and with it, of which each go through all days.
+    taken: [usize; 2],
     looks: Vec<EvaluatedLook>,
 }
 
@@ -77,6 +79,7 @@ impl DetectorJudge {
             plan,
             random: ChaCha8Rng::seed_from_u64(seed),
             next: 0,
+            taken: [0; 2],
             looks: Vec::new(),
         }
     }
@@ -99,20 +102,29 @@ impl DetectorJudge {
         if self.next >= self.plan.photos {
             return Ok(false);
         }
-        let turn = self.next % ELSEWHERE_EVERY == ELSEWHERE_EVERY - 1;
-        self.next += 1;
-        let elsewhere = if turn { self.place_without() } else { None };
-        let photo = match elsewhere {
-            Some(place) => self.photographer.take_elsewhere(place),
-            None => self.photographer.take(),
-        };
-        let photo = photo.ok_or_else(|| TrainingError::TooLarge(self.landmark.name.clone()))?;
+        let photo = self.photo()?;
         let TrainedDetector {
             cascade, window, ..
         } = &self.trained;
         let look = look(&mut self.photographer, &photo, cascade, window);
         self.looks.extend(look);
         Ok(true)
+    }
+
+    /// The next photo. If one counter chose day and kind, all photos without the landmark would be of days of their own
+    /// wherever the days are a multiple of the turns.
+    fn photo(&mut self) -> Result<TrainingPhoto, TrainingError> {
+        let turn = self.next % ELSEWHERE_EVERY == ELSEWHERE_EVERY - 1;
+        self.next += 1;
+        let elsewhere = if turn { self.place_without() } else { None };
+        let taken = &mut self.taken[usize::from(elsewhere.is_none())];
+        self.photographer.turn_to(*taken);
+        *taken += 1;
+        let photo = match elsewhere {
+            Some(place) => self.photographer.take_elsewhere(place),
+            None => self.photographer.take(),
+        };
+        photo.ok_or_else(|| TrainingError::TooLarge(self.landmark.name.clone()))
     }
 
     /// A place on the map from which the search does not reach the landmark.
@@ -159,4 +171,60 @@ pub(crate) fn look(
         present: photo.present,
         marks: marks.iter().map(mark).collect(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::{FarmDays, envelope, farm, house};
+    use pilotage_vision::landmark::cascade::{
+        Cascade, CascadeFeature, NodeSplit, TrainedStage, TrainedTree,
+    };
+    use pilotage_vision::landmark::trained::{Likelihood, MarkPrecision, Variants};
+
+    /// A detector of one stump.
+    fn detector(landmark: &Landmark) -> TrainedDetector {
+        let feature = CascadeFeature::Hog {
+            cell: [0, 0, 8, 8],
+            component: 3,
+        };
+        let stump = TrainedTree::stump(0, NodeSplit::Threshold(0.1), -1.0, 1.0);
+        let stage = TrainedStage {
+            trees: vec![stump],
+            threshold: -2.0,
+        };
+        let window = DetectorWindow::around(&landmark.bounds, 0.8, Variants::default());
+        let (width, height) = (window.width, window.height);
+        TrainedDetector {
+            cascade: Cascade::from_parts(width, height, vec![feature], &[stage]).unwrap(),
+            window,
+            bounds: landmark.bounds,
+            least_score: 1.0,
+            likelihood: Likelihood {
+                offset: 0.0,
+                slope: 1.0,
+            },
+            precision: MarkPrecision::even(1.0),
+            template: None,
+        }
+    }
+
+    #[test]
+    fn every_day_has_photos_with_the_landmark_and_without_it() {
+        let (landmark, days) = (house(), 20);
+        let plan = JudgingPlan {
+            photos: 200,
+            days,
+            seed: 1,
+        };
+        let trained = detector(&landmark);
+        let mut judge =
+            DetectorJudge::new(&landmark, trained, &farm(), &FarmDays, &envelope(), plan);
+        let mut counts = vec![[0; 2]; days];
+        for _ in 0..plan.photos {
+            let photo = judge.photo().unwrap();
+            counts[photo.day][usize::from(photo.present)] += 1;
+        }
+        assert_eq!(counts, vec![[2, 8]; days]);
+    }
 }
