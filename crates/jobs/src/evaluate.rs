@@ -3,6 +3,7 @@
 //! What the page draws and saves passes it ready made: only workers hold the programs that judge.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use pilotage_core::flight::FrameSource as _;
@@ -65,18 +66,25 @@ fn in_use(looks: &[EvaluatedLook], least_score: f64) -> Vec<String> {
         let (low, high) = (percent(rate.low), percent(rate.high));
         format!("{} of {} ({low} to {high} %)", rate.happened, rate.of)
     };
-    let told = |name: &str, looks: &[EvaluatedLook]| {
-        let at = AtThreshold::over(looks, least_score);
+    let told = |name: &str, at: &AtThreshold| {
         format!(
             "{name}found {}, false alarms in {}",
             rate(&at.found),
             rate(&at.deceived)
         )
     };
-    let mut words = vec![told("as flown: ", looks)];
-    let real: Vec<_> = looks.iter().filter(|look| look.real).cloned().collect();
-    if !real.is_empty() {
-        words.push(told("as flown in real frames: ", &real));
+    let mut words = vec![told("as flown: ", &AtThreshold::over(looks, least_score))];
+    let days: BTreeSet<usize> = (looks.iter().filter(|look| look.real))
+        .map(|look| look.day)
+        .collect();
+    if !days.is_empty() {
+        let real = AtThreshold::over_real(looks, least_score);
+        let of = if days.len() == 1 {
+            "; all of one flight"
+        } else {
+            ""
+        };
+        words.push(format!("{}{of}", told("as flown in real frames: ", &real)));
     }
     words
 }
@@ -406,13 +414,12 @@ fn in_detail(
     evaluation: Evaluation,
 ) -> Result<JobEvent, String> {
     let (looks, threshold) = (work.looks().to_vec(), work.trained.least_score);
-    let real: Vec<_> = looks.iter().filter(|look| look.real).cloned().collect();
     let asked = order.flight.as_ref();
     JobEvent::of_figures(&JudgedDetector {
         landmark: order.about.landmark.name.clone(),
         threshold,
         in_use: AtThreshold::over(&looks, threshold),
-        in_real_frames: asked.map(|_| AtThreshold::over(&real, threshold)),
+        in_real_frames: asked.map(|_| AtThreshold::over_real(&looks, threshold)),
         evaluation,
         looks,
     })
@@ -522,6 +529,7 @@ mod tests {
             report.figures
         );
         assert!(report.figures[1].starts_with("as flown in real frames: "));
+        assert!(report.figures[1].ends_with("; all of one flight"));
         assert!(report.basis.contains("of 3 days"), "{}", report.basis);
         assert!(report.csv.starts_with("curve,x,y,low,high,threshold\n"));
         assert!(report.plots.len() >= 4);

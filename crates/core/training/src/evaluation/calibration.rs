@@ -1,9 +1,12 @@
 //! Probability that a mark is right, given its score.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::draws::by_day;
 use super::isotonic::Isotonic;
+use super::rate::correlation_within;
 use super::{EvaluatedLook, Rate};
 use pilotage_vision::landmark::trained::Likelihood;
 
@@ -131,20 +134,21 @@ impl ScoreCalibration {
         }
         let fold_of = folds(looks);
         let mut stated: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
-        let mut outcomes = Vec::new();
+        let (mut outcomes, mut days) = (Vec::new(), Vec::new());
         for fold in 0..FOLDS {
             let in_fold = |inside: bool| {
-                let chosen = marks.iter().zip(&fold_of);
-                let chosen = chosen.filter(move |(_, f)| (**f == fold) == inside);
-                chosen.flat_map(|(marks, _)| marks.iter().copied())
+                let chosen = marks.iter().zip(&fold_of).zip(looks);
+                let chosen = chosen.filter(move |((_, f), _)| (**f == fold) == inside);
+                chosen.flat_map(|((marks, _), look)| marks.iter().map(|mark| (*mark, look.day)))
             };
-            let rest: Vec<JudgedMark> = in_fold(false).collect();
+            let rest: Vec<JudgedMark> = in_fold(false).map(|(mark, _)| mark).collect();
             if rest.is_empty() {
                 continue;
             }
             let learned = [Probability::logistic(&rest), Probability::isotonic(&rest)];
-            for mark in in_fold(true) {
+            for (mark, day) in in_fold(true) {
                 outcomes.push(mark.right);
+                days.push(day);
                 for (stated, learned) in stated.iter_mut().zip(&learned) {
                     stated.push(doubted(learned.at(mark.score), rest.len()));
                 }
@@ -159,11 +163,14 @@ impl ScoreCalibration {
             } else {
                 Probability::isotonic(&all)
             },
-            marks: Rate::independent(right, all.len()),
+            marks: of_days(
+                (marks.iter().zip(looks))
+                    .flat_map(|(marks, look)| marks.iter().map(|mark| (look.day, mark.right))),
+            ),
             log_losses,
             brier: brier_score(&stated[chosen], &outcomes),
             brier_of_share: share * (1.0 - share),
-            reliability: reliability(&stated[chosen], &outcomes),
+            reliability: reliability(&stated[chosen], &outcomes, &days),
         })
     }
 
@@ -242,13 +249,22 @@ fn folds(looks: &[EvaluatedLook]) -> Vec<usize> {
     folds
 }
 
+/// Rate of right marks, given the day of each and whether it is right: marks of a day go together.
+fn of_days(marks: impl Iterator<Item = (usize, bool)>) -> Rate {
+    let mut days = BTreeMap::<usize, (usize, usize)>::new();
+    for (day, right) in marks {
+        let day = days.entry(day).or_default();
+        day.0 += usize::from(right);
+        day.1 += 1;
+    }
+    let days: Vec<_> = days.into_values().collect();
+    Rate::clustered(&days, correlation_within(&days))
+}
+
 /// Stated probabilities in ten groups of equal size; equal ones stay together.
-fn reliability(stated: &[f64], came_true: &[bool]) -> Vec<ScoreBin> {
-    let mut pairs: Vec<(f64, bool)> = stated
-        .iter()
-        .copied()
-        .zip(came_true.iter().copied())
-        .collect();
+fn reliability(stated: &[f64], came_true: &[bool], days: &[usize]) -> Vec<ScoreBin> {
+    let outcomes = days.iter().copied().zip(came_true.iter().copied());
+    let mut pairs: Vec<(f64, (usize, bool))> = stated.iter().copied().zip(outcomes).collect();
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut bins = Vec::new();
     let mut begin = 0;
@@ -263,7 +279,7 @@ fn reliability(stated: &[f64], came_true: &[bool]) -> Vec<ScoreBin> {
         begin = end;
         bins.push(ScoreBin {
             stated: group.iter().map(|p| p.0).sum::<f64>() / group.len() as f64,
-            right: Rate::independent(group.iter().filter(|p| p.1).count(), group.len()),
+            right: of_days(group.iter().map(|p| p.1)),
         });
     }
     bins
@@ -272,6 +288,7 @@ fn reliability(stated: &[f64], came_true: &[bool]) -> Vec<ScoreBin> {
 #[cfg(test)]
 mod tests {
     use super::super::sample::{SyntheticDetector, look, mark};
+    use super::super::wilson;
     use super::*;
 
     #[test]
@@ -316,6 +333,30 @@ mod tests {
         assert!(matches!(calibration.probability, Probability::Isotonic(_)));
         assert!((calibration.probability.at(0.9) - 0.9).abs() < 0.05);
         assert!((calibration.probability.at(0.1) - 0.1).abs() < 0.05);
+    }
+
+    #[test]
+    fn marks_of_a_day_that_all_go_one_way_are_worth_one_try() {
+        // On each of 20 days ten marks of one score, which are all right on every second day.
+        let looks: Vec<_> = (0..200)
+            .map(|i| look(i % 20, &[mark(0.5, i % 2 == 0)]))
+            .collect();
+        let calibration = ScoreCalibration::of(&looks).unwrap();
+        let (low, high) = wilson(10.0, 20.0);
+        let all = calibration.marks;
+        assert_eq!((all.happened, all.of), (100, 200));
+        assert!(
+            (all.low - low).abs() < 1e-9 && (all.high - high).abs() < 1e-9,
+            "{all:?}"
+        );
+        let bins = &calibration.reliability;
+        let counted: usize = bins.iter().map(|bin| bin.right.of).sum();
+        assert_eq!(counted, 200);
+        // Forty marks of four days or more are worth no more tries than days.
+        assert!(
+            bins.iter().all(|bin| bin.right.high - bin.right.low > 0.35),
+            "{bins:?}"
+        );
     }
 
     #[test]

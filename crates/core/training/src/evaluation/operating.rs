@@ -7,6 +7,9 @@ use super::events::{Counts, MarkEvents};
 use super::rate::correlation_within;
 use super::{EvaluatedLook, IntervalEstimate, Rate};
 
+/// Counts (happened, of) by day.
+type DayCounts = Vec<(usize, usize)>;
+
 /// Detections and false alarms at one threshold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct AtThreshold {
@@ -102,8 +105,43 @@ impl AtThreshold {
         )
     }
 
+    /// Result in the real frames among `looks`. Frames of one day go together as looks of a day do over all `looks`: one
+    /// day by itself does not tell how much days differ.
+    pub fn over_real(looks: &[EvaluatedLook], threshold: f64) -> Self {
+        let correlations = Self::by_day(looks, threshold).map(|days| correlation_within(&days));
+        let real: Vec<_> = looks.iter().filter(|look| look.real).cloned().collect();
+        let [found, deceived] = Self::by_day(&real, threshold);
+        Self {
+            found: Rate::clustered(&found, correlations[0]),
+            deceived: Rate::clustered(&deceived, correlations[1]),
+            ..Self::over(&real, threshold)
+        }
+    }
+
+    /// Counts (happened, of) by day of looks with the landmark in which it was found, and of looks with a false alarm.
+    fn by_day(looks: &[EvaluatedLook], threshold: f64) -> [DayCounts; 2] {
+        let days = by_day(looks);
+        let days = days.iter().map(|(_, day)| (day.as_slice(), threshold));
+        let (found, deceived, _) = Self::counts(looks, days);
+        [found, deceived]
+    }
+
     /// Of looks by day, each day with its threshold.
     fn of<'a>(looks: &[EvaluatedLook], days: impl Iterator<Item = (&'a [usize], f64)>) -> Self {
+        let (found, deceived, wrong) = Self::counts(looks, days);
+        let rate = |days: &[(usize, usize)]| Rate::clustered(days, correlation_within(days));
+        Self {
+            found: rate(&found),
+            deceived: rate(&deceived),
+            false_alarms: wrong as f64 / looks.len().max(1) as f64,
+        }
+    }
+
+    /// Counts of what was found and of looks with false alarms by day, and the number of false alarms.
+    fn counts<'a>(
+        looks: &[EvaluatedLook],
+        days: impl Iterator<Item = (&'a [usize], f64)>,
+    ) -> (DayCounts, DayCounts, usize) {
         let (mut found, mut deceived) = (Vec::new(), Vec::new());
         let mut wrong = 0;
         for (day, threshold) in days {
@@ -120,12 +158,7 @@ impl AtThreshold {
             let marks = looks().flat_map(EvaluatedLook::wrong_marks);
             wrong += marks.filter(|m| m.score >= threshold).count();
         }
-        let rate = |days: &[(usize, usize)]| Rate::clustered(days, correlation_within(days));
-        Self {
-            found: rate(&found),
-            deceived: rate(&deceived),
-            false_alarms: wrong as f64 / looks.len().max(1) as f64,
-        }
+        (found, deceived, wrong)
     }
 }
 
@@ -159,6 +192,7 @@ fn choose(events: &MarkEvents, weights: &[f64], allowed: f64) -> (f64, Counts) {
 #[cfg(test)]
 mod tests {
     use super::super::sample::{SyntheticDetector, look, mark};
+    use super::super::{By, DetectionBreakdown};
     use super::*;
 
     fn point(looks: &[EvaluatedLook], allowed: f64) -> OperatingPoint {
@@ -185,6 +219,27 @@ mod tests {
         assert!(point.threshold > 0.9 && point.detection.value == 0.0);
         assert_eq!(point.here.deceived.happened, 0);
         assert!(point.held_out.is_none());
+    }
+
+    #[test]
+    fn frames_of_one_day_are_worth_no_more_than_the_days_say() {
+        // On ten days everything is found, on ten nothing; and all fifty frames of one real day.
+        let photos = (0..200).map(|i| {
+            let score = if i % 20 < 10 { 0.9 } else { 0.1 };
+            look(i % 20, &[mark(score, true)])
+        });
+        let frames = (0..50).map(|_| {
+            let mut frame = look(20, &[mark(0.9, true)]);
+            frame.real = true;
+            frame
+        });
+        let looks: Vec<_> = photos.chain(frames).collect();
+        let real = AtThreshold::over_real(&looks, 0.5).found;
+        assert_eq!((real.happened, real.of), (50, 50));
+        // One try: 1 / (1 + 1.96²) is the lower end. Fifty that know nothing of each other have 0.93.
+        assert!((real.low - 0.2065).abs() < 0.02, "{real:?}");
+        let by_source = DetectionBreakdown::of(&looks, By::Source, 0.5);
+        assert_eq!(by_source.bins[1].found, real, "as the plot has it");
     }
 
     #[test]
