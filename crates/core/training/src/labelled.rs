@@ -12,6 +12,9 @@ use pilotage_vision::landmark::Landmark;
 
 /// Number of the first day of real frames; those of drawn days are below.
 const FIRST_DAY: usize = 1000;
+/// Parts of the labelled frames of a flight of which the samples of each go together: as many as there are groups of which a
+/// stage judges one and fits the others.
+const STRETCHES: usize = 5;
 
 /// The frames of `flight` in which `landmark` is labelled, and those labelled as without it, as photos to
 /// learn from; `picture` gives the frame with a number. Labels of other flights are left out, as are boxes
@@ -68,6 +71,17 @@ pub fn labelled_photos(
         ));
     }
     Ok(photos)
+}
+
+/// The photos in the order of their frames, those of a stretch of the flight as of one day: neighbours show nearly the same, so
+/// that votes fitted to one of them would be judged by the other. The last of them are those that are judged.
+pub(crate) fn in_stretches(mut photos: Vec<TrainingPhoto>) -> Vec<TrainingPhoto> {
+    photos.sort_by_key(|photo| photo.day);
+    let count = photos.len();
+    for (number, photo) in photos.iter_mut().enumerate() {
+        photo.day = FIRST_DAY + number * STRETCHES / count;
+    }
+    photos
 }
 
 /// Labels of a picture of a flight.

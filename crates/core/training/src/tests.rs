@@ -13,7 +13,7 @@ use pilotage_mission::mission::{FrameLabels, LabelBox};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::{Imagery, Window};
-use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_raster::raster::{Picture, Raster, Rgba};
 use pilotage_simulate::other_days::OtherDays;
 use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings};
 use pilotage_vision::landmark::trained::{DetectorWindow, TrainedDetector, Variants};
@@ -300,6 +300,31 @@ fn three_frames(camera: &CameraModel) -> Flight {
         },
         truth: None,
     }
+}
+
+#[test]
+fn neighbours_among_labelled_frames_are_never_judged_by_each_other() {
+    let names = (0..20).map(|number| format!("{number:02}.jpg"));
+    let mut flight = three_frames(&envelope().camera);
+    flight.frames = names.map(|name| frame_named(&name)).collect();
+    let labels = flight.frames.iter().rev().map(|frame| FrameLabels {
+        frame: frame.name.clone(),
+        size: (320, 240),
+        absent: vec![7],
+        ..FrameLabels::default()
+    });
+    // As jobs read them: a frame at a time, in whatever order.
+    let photos = labels.flat_map(|said| {
+        let read = |_| Ok(Picture::from_fn(320, 240, |_, _| [90; 3]));
+        labelled_photos(&flight, &[said], &house(), read).unwrap()
+    });
+    let days: Vec<_> = (labelled::in_stretches(photos.collect()).iter())
+        .map(|photo| photo.day)
+        .collect();
+    assert_eq!(days[..5], [1000, 1000, 1000, 1000, 1001]);
+    // A stage judges the groups of which number 4 is one of five.
+    let judged: Vec<_> = (0..20).filter(|i| days[*i] % 5 == 4).collect();
+    assert_eq!(judged, [16, 17, 18, 19]);
 }
 
 #[test]

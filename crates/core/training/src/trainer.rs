@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::envelope::FlightEnvelope;
 use super::evaluation::{EvaluatedLook, EvaluatedMark, look};
 use super::held_out::{HeldOutPhotos, TrainingPhotos, look_alike};
+use super::labelled::in_stretches;
 use super::photo::{Photographer, TrainingPhoto};
 use super::plan::TrainingPlan;
 use super::precision;
@@ -172,7 +173,7 @@ impl DetectorTraining {
     /// the same again when a training is resumed.
     #[must_use]
     pub fn with_labelled(mut self, photos: Vec<TrainingPhoto>) -> Self {
-        self.labelled = photos;
+        self.labelled = in_stretches(photos);
         self
     }
 
