@@ -274,6 +274,19 @@ fn an_error_that_no_variant_can_tell_is_left_open() {
     );
 }
 
+#[test]
+fn the_map_patch_is_judged_alike_wherever_the_reference_point_is() {
+    let learned = |landmark: &Landmark| {
+        let of = DetectorTraining::new(landmark, &farm(), &FarmDays, &envelope(), plan(3));
+        trained(of).0.template.unwrap()
+    };
+    let mut aside = house();
+    aside.reference.east += 6.0;
+    let template = learned(&aside);
+    assert_eq!(template, learned(&house()));
+    assert!(template.log_ratio(0.9) > 0.0, "{template:?}");
+}
+
 /// A flight of three frames at the attitude of the test of labels.
 fn three_frames(camera: &CameraModel) -> Flight {
     let channel = |name, value| Channel {

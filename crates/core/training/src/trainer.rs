@@ -475,8 +475,13 @@ impl DetectorTraining {
             return Vec::new();
         };
         let envelope = self.judge.envelope();
+        // What appears at a place here is the middle of the box, wherever in it the reference point is.
+        let landmark = Landmark {
+            reference: self.landmark.bounds.center(),
+            ..self.landmark.clone()
+        };
         let request = SearchRequest {
-            landmark: &self.landmark,
+            landmark: &landmark,
             displacement_covariance: assumed.covariance,
             turn_deviation: envelope.sensors.yaw,
             log_scale_deviation: envelope.sensors.height / photo.height,
