@@ -104,7 +104,8 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
             let flag: Option<Value> = text.take(&mut annotation, name)?;
             Ok(flag == Some(json!(1)) || flag == Some(json!(true)))
         };
-        (label.difficult, label.truncated) = (flag("difficult")?, flag("truncated")?);
+        label.difficult = flag("difficult")?;
+        label.truncated |= flag("truncated")?;
         annotation.remove("id");
         annotation.remove("area");
         if annotation

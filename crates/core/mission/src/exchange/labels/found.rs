@@ -107,7 +107,8 @@ fn is_called(landmark: &Landmark, name: &str) -> bool {
     landmark.name.trim().eq_ignore_ascii_case(name.trim())
 }
 
-/// A box that a file states, in our pixels; the error says, in words that stand behind a count, why it is none.
+/// A box that a file states, in our pixels, cut where the picture ends; one that ends with the picture is as the file says. The
+/// error says, in words that stand behind a count, why it is none.
 pub(super) fn stated_box(
     landmark: u32,
     name: &str,
@@ -120,7 +121,8 @@ pub(super) fn stated_box(
     }
     let outside = "box outside of its picture is left out";
     let mut label = LabelBox::new(landmark, name, corners, size).ok_or(outside)?;
-    label.truncated = false;
+    let ends_in = |low: f64, high: f64, side: u32| low < 0.0 || high > f64::from(side);
+    label.truncated = ends_in(a[0], b[0], size.0) || ends_in(a[1], b[1], size.1);
     Ok(label)
 }
 

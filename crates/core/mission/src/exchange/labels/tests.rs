@@ -166,6 +166,27 @@ fn labels_without_an_area_are_left_out_and_told_and_an_outline_stands_in_for_a_b
 }
 
 #[test]
+fn a_box_that_reaches_out_of_its_picture_is_cut_and_says_so() {
+    let coco = r#"{ "images": [{ "id": 5, "file_name": "x.png", "width": 640, "height": 480 }],
+        "categories": [{ "id": 9, "name": "Pool" }, { "id": 3, "name": "Church & <yard>" }],
+        "annotations": [
+          { "image_id": 5, "category_id": 9, "bbox": [-60, 100, 120, 80], "truncated": 0 },
+          { "image_id": 5, "category_id": 3, "bbox": [0, 400, 120, 80] }] }"#;
+    let found = read_labels("c.json", coco.as_bytes()).unwrap();
+    let [cut, at_the_edge] = &found.frames[0].boxes[..] else {
+        panic!("{found:?}");
+    };
+    // Its middle is at 0, that of what is left at 30.
+    assert_eq!((cut.min[0], cut.max[0], cut.truncated), (0.0, 60.0, true));
+    assert!(!at_the_edge.truncated, "the file does not say so");
+    let voc = "<annotation><filename>x.png</filename><size><width>64</width><height>48</height></size>\
+        <object><name>pool</name><truncated>0</truncated><bndbox><xmin>11</xmin><ymin>1</ymin>\
+        <xmax>20</xmax><ymax>52</ymax></bndbox></object></annotation>";
+    let found = read_labels("x.xml", voc.as_bytes()).unwrap();
+    assert!(found.frames[0].boxes[0].truncated);
+}
+
+#[test]
 fn broken_files_are_named_with_the_place_and_never_panic() {
     let cause =
         |name: &str, text: &str| read_labels(name, text.as_bytes()).unwrap_err().to_string();

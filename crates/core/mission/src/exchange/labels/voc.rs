@@ -72,7 +72,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError>
             }
         };
         label.difficult = object.child_text("difficult") == Some("1");
-        label.truncated = object.child_text("truncated") == Some("1");
+        label.truncated |= object.child_text("truncated") == Some("1");
         label.properties = kept(&source, object, &OF_OBJECT);
         if object.child("part").is_some() {
             found
