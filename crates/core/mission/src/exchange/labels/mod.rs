@@ -84,14 +84,21 @@ pub fn write_labels(
     landmarks: &[Landmark],
 ) -> Result<WrittenFile, ExchangeError> {
     let names = names(frames, landmarks);
+    let boxes: usize = frames.iter().map(|f| f.boxes.len()).sum();
+    let mut notes = vec![format!("{boxes} boxes in {} pictures", frames.len())];
     let bytes = match format {
         LabelFormat::Coco => coco::write(frames, &names).into_bytes(),
         LabelFormat::Voc => {
             let mut zip = ZipSink::default();
+            let (files, numbered) = voc::file_names(frames);
+            if numbered > 0 {
+                notes.push(format!(
+                    "{numbered} annotations have a number behind their name, which is that of another picture, too"
+                ));
+            }
             let mut pack = || {
-                for frame in frames {
-                    let text = voc::write(frame, &names);
-                    zip.write(&voc::file_name(&frame.frame), text.as_bytes())?;
+                for (frame, file) in frames.iter().zip(&files) {
+                    zip.write(file, voc::write(frame, &names).as_bytes())?;
                 }
                 Ok(())
             };
@@ -102,8 +109,6 @@ pub fn write_labels(
             })?
         }
     };
-    let boxes: usize = frames.iter().map(|f| f.boxes.len()).sum();
-    let notes = vec![format!("{boxes} boxes in {} pictures", frames.len())];
     Ok(WrittenFile { bytes, notes })
 }
 

@@ -187,6 +187,33 @@ fn a_box_that_reaches_out_of_its_picture_is_cut_and_says_so() {
 }
 
 #[test]
+fn pictures_of_one_name_in_other_folders_have_annotations_of_their_own() {
+    let [church, _] = &labels()[..] else {
+        panic!("two pictures");
+    };
+    let of = |frame: &str, flight: &str| FrameLabels {
+        frame: frame.to_owned(),
+        flight: flight.to_owned(),
+        ..church.clone()
+    };
+    let frames = [
+        of("100MEDIA/DJI_0001.JPG", ""),
+        of("101MEDIA/DJI_0001.JPG", ""),
+        of("101MEDIA/DJI_0001.JPG", "another flight"),
+        of("dji_0001.png", ""),
+    ];
+    let written = write_labels(LabelFormat::Voc, &frames, &landmarks()).unwrap();
+    let mut names = ZipFiles::open(&written.bytes).unwrap().names();
+    names.sort();
+    let right = ["DJI_0001-2", "DJI_0001-3", "DJI_0001", "dji_0001-4"];
+    assert_eq!(names, right.map(|name| format!("Annotations/{name}.xml")));
+    assert!(written.notes[1].starts_with("3 annotations have a number"));
+    let (mut read, _) = read_back(LabelFormat::Voc, &written.bytes).placed(&landmarks());
+    read.sort_by(|a, b| (&a.frame, &a.flight).cmp(&(&b.frame, &b.flight)));
+    assert_eq!(read, frames);
+}
+
+#[test]
 fn broken_files_are_named_with_the_place_and_never_panic() {
     let cause =
         |name: &str, text: &str| read_labels(name, text.as_bytes()).unwrap_err().to_string();

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use super::ExchangeError;
 use super::found::{FoundLabels, left_out, stated_box};
+use crate::exchange::told_apart;
 use crate::exchange::xml::{NamedText, XmlElement};
 use crate::mission::FrameLabels;
 use pilotage_base::text::without_markup;
@@ -122,11 +123,20 @@ fn kept(source: &NamedText<'_>, of: &XmlElement, read: &[&str]) -> BTreeMap<Stri
     kept
 }
 
-/// Name of the annotation of a picture.
-pub(super) fn file_name(frame: &str) -> String {
-    let own = frame.rsplit(['/', '\\']).next().unwrap_or(frame);
-    let stem = own.rsplit_once('.').map_or(own, |(stem, _)| stem);
-    format!("Annotations/{stem}.xml")
+/// Names of the annotations of pictures, and how many have a number because other pictures have their name.
+pub(super) fn file_names(frames: &[FrameLabels]) -> (Vec<String>, usize) {
+    let stem = |frame: &FrameLabels| {
+        let own = frame.frame.rsplit(['/', '\\']).next().unwrap_or_default();
+        own.rsplit_once('.')
+            .map_or(own, |(stem, _)| stem)
+            .to_owned()
+    };
+    let stems: Vec<String> = frames.iter().map(stem).collect();
+    let names = told_apart(stems.iter().cloned());
+    let numbered = names.iter().zip(&stems).filter(|(name, stem)| name != stem);
+    let numbered = numbered.count();
+    let entry = |name: &String| format!("Annotations/{name}.xml");
+    (names.iter().map(entry).collect(), numbered)
 }
 
 /// The annotation of one picture.
