@@ -50,8 +50,8 @@ struct Train {
     /// Rounds over all examples.
     #[arg(long, default_value_t = ClassTraining::default().rounds)]
     rounds: usize,
-    /// Draws countries, days, weights.
-    #[arg(long, default_value_t = 1)]
+    /// Draws countries, days, weights; 1 or more, since those of 0 are the ones that weights are judged by.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     seed: u64,
     /// File for the weights.
     #[arg(long)]

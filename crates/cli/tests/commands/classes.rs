@@ -33,3 +33,12 @@ fn folders_of_tiles_are_learned_by_their_words_and_told() {
     let refused = folder.run(&without.collect::<Vec<_>>()).unwrap_err();
     assert!(refused.contains("FOLDER"), "{refused}");
 }
+
+#[test]
+fn the_countries_that_weights_are_judged_by_are_not_learned_from() {
+    let folder = Folder::new("class_seed");
+    let train =
+        "classes train --seed 0 --countries 1 --tiles 1 --rounds 1 --out map.weights".split(' ');
+    let refused = folder.run(&train.collect::<Vec<_>>()).unwrap_err();
+    assert!(refused.contains("--seed"), "{refused}");
+}
