@@ -141,19 +141,19 @@ impl Labeller {
         {
             let pixel = placement.pixel(at);
             self.drag = selected.map(|landmark| {
-                let (from, edges, difficult) = own
+                let (from, edges, of) = own
                     .and_then(|label| {
                         let edges = grip(placement.of(label), at)?;
-                        Some(([label.min, label.max], edges, label.difficult))
+                        Some(([label.min, label.max], edges, Some(label.clone())))
                     })
-                    .unwrap_or(([pixel, pixel], [[false; 2], [true; 2]], false));
+                    .unwrap_or(([pixel, pixel], [[false; 2], [true; 2]], None));
                 BoxDrag {
                     frame,
                     landmark,
                     from,
                     at: pixel,
                     edges,
-                    difficult,
+                    of,
                 }
             });
         }
@@ -163,15 +163,13 @@ impl Labeller {
             && drag.frame == frame
         {
             let corners = drag.corners(placement.pixel(at));
-            let name = context
-                .mission
-                .landmark(drag.landmark)
-                .map(|l| l.name.as_str());
-            if let Some(label) =
-                LabelBox::new(drag.landmark, name.unwrap_or_default(), corners, size)
-            {
-                let difficult = drag.difficult;
-                let label = LabelBox { difficult, ..label };
+            let drawn = || {
+                let landmark = context.mission.landmark(drag.landmark);
+                let name = landmark.map_or("", |l| l.name.as_str());
+                LabelBox::new(drag.landmark, name, corners, size)
+            };
+            let label = (drag.of.as_ref()).map_or_else(drawn, |of| of.reshaped(corners, size));
+            if let Some(label) = label {
                 let finished = is_over;
                 let set = LabelCommand::Set {
                     frame,
@@ -216,6 +214,7 @@ impl Labeller {
         // A slow frame may hold several presses of a key.
         let presses = |key| ui.input(|i| i.num_presses(key));
         let pressed = |key| presses(key) > 0;
+        let labels = said_of(context, frame);
         let mut send = |command| context.commands.push(Command::from(command));
         if pressed(Key::Delete) || pressed(Key::Backspace) {
             send(LabelCommand::Delete);
@@ -240,18 +239,13 @@ impl Labeller {
         if by == [0.0; 2] {
             return;
         }
-        let labels = said_of(context, frame);
         let own = labels.as_ref().zip(context.selection);
         let own = own.and_then(|(labels, id)| labels.of(id));
         let Some(own) = own else { return };
         let moved = |corner: [f64; 2]| [corner[0] + by[0], corner[1] + by[1]];
         let low = if shift { own.min } else { moved(own.min) };
         let corners = [low, moved(own.max)];
-        if let Some(label) = LabelBox::new(own.landmark, &own.name, corners, size) {
-            let label = LabelBox {
-                difficult: own.difficult,
-                ..label
-            };
+        if let Some(label) = own.reshaped(corners, size) {
             send(LabelCommand::Set {
                 frame,
                 label,

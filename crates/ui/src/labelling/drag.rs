@@ -1,5 +1,7 @@
 //! A box in the hand.
 
+use pilotage_core::mission::LabelBox;
+
 /// A box being drawn, moved or given another size.
 #[derive(Clone, Debug)]
 pub(super) struct BoxDrag {
@@ -11,8 +13,8 @@ pub(super) struct BoxDrag {
     pub at: [f64; 2],
     /// Edges that follow the pointer: of the first corner and of the second, by axis.
     pub edges: [[bool; 2]; 2],
-    /// Whether the label is hard to see, which a drag does not change.
-    pub difficult: bool,
+    /// The label that is moved or given another size; none if one is drawn.
+    pub of: Option<LabelBox>,
 }
 
 impl BoxDrag {

@@ -55,6 +55,10 @@ pub(super) fn set_label(
         .mission
         .history
         .begin_drag(&documents.mission.content);
+    let labels = documents.mission.labels_of(&picture.flight, &picture.frame);
+    let had_outline =
+        (labels.and_then(|l| l.of(label.landmark))).is_some_and(LabelBox::has_outline);
+    let loses_outline = had_outline && !label.has_outline();
     documents.mission.set_label(&picture, label);
     if finished {
         documents
@@ -63,6 +67,10 @@ pub(super) fn set_label(
             .finish_drag(&documents.mission.content);
     }
     labels_changed(context);
+    if loses_outline {
+        let text = "It was that of the box as the file had it. Undo brings both back.";
+        context.note("The label's outline is left out", text);
+    }
 }
 
 /// Says something of the selected landmark in the picture at the cursor; whether there are both.

@@ -84,6 +84,24 @@ impl LabelBox {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]
     }
 
+    /// The same label with other corners in a picture of `size`, as [`Self::new`] takes them. An outline beside it was that of
+    /// the box before, and goes.
+    #[must_use]
+    pub fn reshaped(&self, corners: [[f64; 2]; 2], size: (u32, u32)) -> Option<Self> {
+        let mut properties = self.properties.clone();
+        properties.remove(OUTLINE);
+        Some(Self {
+            difficult: self.difficult,
+            properties,
+            ..Self::new(self.landmark, &self.name, corners, size)?
+        })
+    }
+
+    /// Whether a file had the landmark's outline beside the box.
+    pub fn has_outline(&self) -> bool {
+        self.properties.contains_key(OUTLINE)
+    }
+
     /// The box in a picture that is so many times as wide and as high. An outline beside it would be one of the other picture.
     fn scaled(&self, by: [f64; 2]) -> Self {
         let corner =
@@ -208,6 +226,20 @@ mod tests {
         assert_eq!(whole.boxes[0].min, [1875.0, 1453.125]);
         assert_eq!(whole.boxes[0].max, [2125.0, 1546.875]);
         assert_eq!(whole.at_size((640, 640)), square);
+    }
+
+    #[test]
+    fn a_box_that_is_moved_keeps_what_other_programs_said_but_for_its_outline() {
+        let mut own = label(1, 5.0);
+        own.difficult = true;
+        for name in ["voc:pose", OUTLINE] {
+            own.properties.insert(name.to_owned(), "1".to_owned());
+        }
+        let moved = own.reshaped([[6.0, 10.0], [36.5, 42.25]], SIZE).unwrap();
+        assert!(own.has_outline() && !moved.has_outline());
+        own.properties.remove(OUTLINE);
+        (own.min[0], own.max[0]) = (6.0, 36.5);
+        assert_eq!(moved, own);
     }
 
     #[test]

@@ -13,7 +13,7 @@ use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::{FrameLabels, MissionError};
 
 /// Prefix of properties that are members, as JSON text.
-const MEMBER: &str = "coco:";
+pub(super) const MEMBER: &str = "coco:";
 /// Member of a picture with the categories that are certainly not in it.
 const ABSENT: &str = "pilotage_absent";
 /// Member of a picture with its flight.

@@ -86,6 +86,7 @@ pub fn write_labels(
     let names = names(frames, landmarks);
     let boxes: usize = frames.iter().map(|f| f.boxes.len()).sum();
     let mut notes = vec![format!("{boxes} boxes in {} pictures", frames.len())];
+    notes.extend(of_other_formats(format, frames));
     let bytes = match format {
         LabelFormat::Coco => coco::write(frames, &names).into_bytes(),
         LabelFormat::Voc => {
@@ -110,6 +111,30 @@ pub fn write_labels(
         }
     };
     Ok(WrittenFile { bytes, notes })
+}
+
+/// Note on the properties of pictures and boxes that a file of another format had, which this one has no place for.
+fn of_other_formats(format: LabelFormat, frames: &[FrameLabels]) -> Option<String> {
+    let own = match format {
+        LabelFormat::Voc => voc::ELEMENT,
+        LabelFormat::Coco => coco::MEMBER,
+    };
+    let boxes = frames.iter().flat_map(|frame| &frame.boxes);
+    let properties = boxes.map(|label| &label.properties);
+    let properties = properties.chain(frames.iter().map(|frame| &frame.properties));
+    let names = properties.flat_map(BTreeMap::keys);
+    let mut counts = BTreeMap::<&str, usize>::new();
+    for name in names.filter(|name| !name.starts_with(own)) {
+        let name = name.split_once(':').map_or(name.as_str(), |(_, name)| name);
+        *counts.entry(name).or_default() += 1;
+    }
+    let counts = counts
+        .iter()
+        .map(|(name, count)| format!("{count} × `{name}`"));
+    let counts = counts.collect::<Vec<_>>().join(", ");
+    let format = format.name();
+    (!counts.is_empty())
+        .then(|| format!("{counts} of another format are left out: {format} has no place for them"))
 }
 
 /// Names of all landmarks that have labels, by id: the mission's, or else those of the labels.

@@ -94,6 +94,11 @@ fn what_other_programs_write_beside_boxes_is_written_again() {
         .bytes;
     let zip = ZipFiles::open(&bytes).unwrap();
     let text = String::from_utf8(zip.read("Annotations/x.xml").unwrap()).unwrap();
+    let other = write_labels(LabelFormat::Coco, &frames, &landmarks()).unwrap();
+    assert_eq!(
+        other.notes[1],
+        "1 × `folder`, 1 × `pose`, 1 × `segmented` of another format are left out: COCO has no place for them"
+    );
     for kept in [
         "<folder>a &amp; b</folder>",
         "<segmented>0</segmented>",

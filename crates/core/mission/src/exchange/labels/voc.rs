@@ -13,7 +13,7 @@ use pilotage_base::text::without_markup;
 /// Element that holds what only we know: ids, the flight, and landmarks that are not in the picture.
 const OWN: &str = "pilotage";
 /// Prefix of properties that are elements, as they stand.
-const ELEMENT: &str = "voc:";
+pub(super) const ELEMENT: &str = "voc:";
 /// Elements that are read of a picture; others are kept.
 const OF_PICTURE: [&str; 4] = ["filename", "size", "object", OWN];
 /// Elements that are read of an object.
