@@ -87,7 +87,13 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
         let (own, name) = known
             .get(&category)
             .ok_or_else(|| lost("category", category))?;
-        if text.take::<u8>(&mut annotation, "iscrowd")? == Some(1) {
+        let mut flag = |name: &str| -> Result<bool, MissionError> {
+            let flag: Option<Value> = text.take(&mut annotation, name)?;
+            Ok(flag == Some(json!(1)) || flag == Some(json!(true)))
+        };
+        let is_crowd = flag("iscrowd")?;
+        let (is_difficult, is_truncated) = (flag("difficult")?, flag("truncated")?);
+        if is_crowd {
             crowds += 1;
             continue;
         }
@@ -100,12 +106,8 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
                 continue;
             }
         };
-        let mut flag = |name: &str| -> Result<bool, MissionError> {
-            let flag: Option<Value> = text.take(&mut annotation, name)?;
-            Ok(flag == Some(json!(1)) || flag == Some(json!(true)))
-        };
-        label.difficult = flag("difficult")?;
-        label.truncated |= flag("truncated")?;
+        label.difficult = is_difficult;
+        label.truncated |= is_truncated;
         annotation.remove("id");
         annotation.remove("area");
         if annotation

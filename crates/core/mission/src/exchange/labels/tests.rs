@@ -219,6 +219,20 @@ fn pictures_of_one_name_in_other_folders_have_annotations_of_their_own() {
 }
 
 #[test]
+fn flags_of_coco_are_numbers_or_true_and_false() {
+    let coco = r#"{ "images": [{ "id": 5, "file_name": "x.png", "width": 640, "height": 480 }],
+        "categories": [{ "id": 9, "name": "Pool" }],
+        "annotations": [
+          { "image_id": 5, "category_id": 9, "bbox": [1, 1, 12, 8], "iscrowd": false, "difficult": true },
+          { "image_id": 5, "category_id": 9, "bbox": [1, 1, 12, 8], "iscrowd": true },
+          { "image_id": 5, "category_id": 9, "bbox": [1, 1, 12, 8], "iscrowd": 1 }] }"#;
+    let found = read_labels("c.json", coco.as_bytes()).unwrap();
+    assert_eq!(found.frames[0].boxes.len(), 1);
+    assert!(found.frames[0].boxes[0].difficult);
+    assert_eq!(found.notes, ["2 crowds are left out"]);
+}
+
+#[test]
 fn broken_files_are_named_with_the_place_and_never_panic() {
     let cause =
         |name: &str, text: &str| read_labels(name, text.as_bytes()).unwrap_err().to_string();
