@@ -23,7 +23,6 @@ mod decoded_text;
 mod embedded;
 mod error;
 mod fence;
-mod file_names;
 mod flown;
 mod flown_kml;
 mod flown_text;
@@ -76,7 +75,6 @@ mod written;
 mod xml;
 
 pub use error::ExchangeError;
-pub use file_names::told_apart;
 pub use flown::write_flown;
 pub use flown_track::{FlownPoint, FlownTrack, FlownValues};
 pub use formats::Format;

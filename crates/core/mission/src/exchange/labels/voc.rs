@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 
 use super::ExchangeError;
 use super::found::{FoundLabels, left_out, stated_box};
-use crate::exchange::told_apart;
 use crate::exchange::xml::{NamedText, XmlElement};
 use crate::mission::FrameLabels;
+use pilotage_base::text::distinct_names;
 use pilotage_base::text::without_markup;
 
 /// Element that holds what only we know: ids, the flight, and landmarks that are not in the picture.
@@ -132,7 +132,7 @@ pub(super) fn file_names(frames: &[FrameLabels]) -> (Vec<String>, usize) {
             .to_owned()
     };
     let stems: Vec<String> = frames.iter().map(stem).collect();
-    let names = told_apart(stems.iter().cloned());
+    let names = distinct_names(stems.iter().cloned(), []);
     let numbered = names.iter().zip(&stems).filter(|(name, stem)| name != stem);
     let numbered = numbered.count();
     let entry = |name: &String| format!("Annotations/{name}.xml");
