@@ -1,12 +1,16 @@
 //! Detection statistics of landmarks that were measured.
+//!
+//! A measurement is told only while the plan is flown as it was measured: over that map, with that camera and those
+//! settings, from about that height. Those of other heights and settings stay until another takes their place.
 
 use pilotage_core::sorting::sort;
 use std::collections::VecDeque;
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{DetectionStatistics, Envelope};
+use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
 
-use super::kept::{MEASURED_KEY, basis_of, use_what_is_true};
+use super::kept::{MEASURED_KEY, basis_now, basis_of, use_what_is_true};
+use super::untested::is_about;
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::host::Host;
@@ -19,7 +23,8 @@ use pilotage_jobs::{
 /// Landmark ids being measured, and what came of it.
 #[derive(Debug, Default)]
 pub struct Assessments {
-    measured: ShortMap<u32, MeasuredLandmark>,
+    /// Measurements of a landmark from one height each, all on its basis.
+    measured: ShortMap<u32, Vec<MeasuredLandmark>>,
     /// The height around which landmarks were looked at, and the envelopes.
     envelopes: ShortMap<u32, (Landmark, f64, Envelope)>,
     wants_envelope: Option<AssessmentOrder>,
@@ -40,8 +45,10 @@ pub struct Assessments {
     batch: usize,
     /// The map that all of it is about.
     map: Option<MapSource>,
-    /// Basis of the measurements of a landmark.
-    bases: ShortMap<u32, MeasurementBasis>,
+    /// Basis of the measurements of a landmark, and whether it is that of the plan.
+    bases: ShortMap<u32, (MeasurementBasis, bool)>,
+    /// Basis of measurements that would be made now, and the height that is planned with, metres.
+    planned: Option<(MeasurementBasis, f64)>,
     /// Measurements of an earlier visit or out of a mission file that are not true of what is open.
     recalled: Vec<KeptMeasurement>,
     /// Whether there is something new to be stored.
@@ -76,11 +83,67 @@ pub fn same(a: &Landmark, b: &Landmark) -> bool {
         && a.detector_in_use() == b.detector_in_use()
 }
 
+/// Difference of heights from which on they are two, metres.
+const OTHER_HEIGHT: f64 = 1.0;
+
+/// Has measurements of one landmark tell all heights.
+fn join(measured: &mut [MeasuredLandmark]) {
+    let lasts = measured.iter().map(|m| (m.last.height, m.last.expected));
+    let mut by_height: Vec<(f64, ExpectedDetection)> = lasts.collect();
+    for known in measured.iter().flat_map(|m| &m.statistics.by_height) {
+        let is_another = |(height, _): &(f64, _)| (height - known.0).abs() > OTHER_HEIGHT;
+        if by_height.iter().all(is_another) {
+            by_height.push(*known);
+        }
+    }
+    sort(&mut by_height, &|a, b| a.0.total_cmp(&b.0));
+    for one in measured {
+        one.statistics.by_height.clone_from(&by_height);
+    }
+}
+
 impl Assessments {
-    /// Measurement of a landmark, while its box is still the same.
+    /// Measurement of a landmark that is true of the plan: of that box, with the camera and the settings of now, and from
+    /// the height nearest to the planned one, which is about that.
     pub fn of(&self, landmark: &Landmark) -> Option<&MeasuredLandmark> {
-        let known = self.measured.get(&landmark.id);
+        let planned = self.planned_height(landmark.id)?;
+        let off = |m: &MeasuredLandmark| (m.last.height - planned).abs();
+        let all = self.measured.get(&landmark.id)?.iter();
+        let near =
+            all.filter(|m| same(&m.last.landmark, landmark) && is_about(m.last.height, planned));
+        near.min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
+
+    /// Whether there are measurements of a landmark, of now or from other heights or by other settings.
+    pub fn has_any(&self, landmark: &Landmark) -> bool {
+        self.all_of(landmark).next().is_some()
+    }
+
+    fn all_of(&self, landmark: &Landmark) -> impl Iterator<Item = &MeasuredLandmark> {
+        let known = self.measured.get(&landmark.id).into_iter().flatten();
         known.filter(|m| same(&m.last.landmark, landmark))
+    }
+
+    /// The height that is planned with, metres, if measurements of a landmark were made as they would be now.
+    fn planned_height(&self, landmark: u32) -> Option<f64> {
+        let (_, is_of_now) = self.bases.get(&landmark)?;
+        let (_, height) = self.planned.as_ref()?;
+        is_of_now.then_some(*height)
+    }
+
+    /// Tells only what is true of the plan as it is now, which is flown at `height` metres above ground.
+    pub fn keep_to(&mut self, documents: &Documents, height: f64) {
+        let now = basis_now(documents);
+        let before = self.planned.as_ref().map(|(basis, _)| basis);
+        if now.as_ref() != before {
+            for id in self.bases.iter().map(|(id, _)| *id).collect::<Vec<_>>() {
+                if let Some((basis, _)) = self.bases.remove(&id) {
+                    let is_of_now = now.as_ref().is_some_and(|now| basis.is_like(now));
+                    self.bases.insert(id, (basis, is_of_now));
+                }
+            }
+        }
+        self.planned = now.map(|basis| (basis, height));
     }
 
     /// Why it could not be measured.
@@ -104,6 +167,11 @@ impl Assessments {
     /// The height that was planned with when it was looked at from others, metres, and from where it is
     /// found, as far as that is known.
     pub fn envelope(&self, landmark: &Landmark) -> Option<(f64, &Envelope)> {
+        self.planned_height(landmark.id)?;
+        self.envelope_of(landmark)
+    }
+
+    fn envelope_of(&self, landmark: &Landmark) -> Option<(f64, &Envelope)> {
         let known = self.envelopes.get(&landmark.id);
         let (_, height, envelope) = known.filter(|(of, ..)| same(of, landmark))?;
         Some((*height, envelope))
@@ -131,7 +199,7 @@ impl Assessments {
         (left > 0).then(|| (self.batch.saturating_sub(left), self.batch))
     }
 
-    /// Number of landmarks that were measured and still are as they were.
+    /// Number of landmarks of which a measurement is true of the plan.
     pub fn count(&self, landmarks: &[Landmark]) -> usize {
         landmarks.iter().filter(|l| self.of(l).is_some()).count()
     }
@@ -166,7 +234,7 @@ impl Assessments {
     fn begin(&mut self, order: AssessmentOrder, context: &mut FeatureContext<'_>) {
         let landmark = order.landmark.id;
         self.progress = (0.0, "Waiting for a worker".to_owned());
-        self.note_basis(context.documents, &order);
+        self.base_on(landmark, basis_of(context.documents, &order));
         self.misfit = order.misfit();
         let order = Box::new(order);
         let id = context.start(if self.is_ahead {
@@ -211,19 +279,29 @@ impl Assessments {
         self.recalled = kept;
     }
 
-    /// Measurements of these landmarks, to be kept.
+    /// Measurements of these landmarks, to be kept: one for each height.
     pub fn to_keep(&self, landmarks: &[Landmark]) -> Vec<KeptMeasurement> {
-        let known = landmarks.iter().filter_map(|landmark| {
-            Some(KeptMeasurement {
-                basis: self.bases.get(&landmark.id).cloned()?,
+        let mut all = Vec::new();
+        for landmark in landmarks {
+            let Some((basis, _)) = self.bases.get(&landmark.id) else {
+                continue;
+            };
+            let one = |measured, envelope| KeptMeasurement {
+                basis: basis.clone(),
                 landmark: landmark.clone(),
-                measured: self.of(landmark).cloned(),
-                envelope: self.envelope(landmark).map(|(h, e)| (h, e.clone())),
-            })
-        });
-        known
-            .filter(|one| one.measured.is_some() || one.envelope.is_some())
-            .collect()
+                measured,
+                envelope,
+            };
+            let envelope = self.envelope_of(landmark);
+            let mut envelope = envelope.map(|(height, of)| (height, of.clone()));
+            for measured in self.all_of(landmark) {
+                all.push(one(Some(measured.clone()), envelope.take()));
+            }
+            if envelope.is_some() {
+                all.push(one(None, envelope));
+            }
+        }
+        all
     }
 
     /// Uses what was recalled and is true, and stores what is new.
@@ -246,34 +324,53 @@ impl Assessments {
 
     fn take_back(&mut self, one: KeptMeasurement, landmark: &Landmark) {
         let id = landmark.id;
+        self.base_on(id, Some(one.basis));
         // What was measured since is newer.
-        if self.of(landmark).is_some() || self.envelope(landmark).is_some() {
-            return;
-        }
         if let Some(mut measured) = one.measured {
             measured.last.landmark = landmark.clone();
-            self.measured.insert(id, measured);
+            let height = measured.last.height;
+            let is_there = |m: &MeasuredLandmark| (m.last.height - height).abs() <= OTHER_HEIGHT;
+            if !self.all_of(landmark).any(is_there) {
+                self.put(measured);
+            }
         }
-        if let Some((height, envelope)) = one.envelope {
+        if let Some((height, envelope)) = one.envelope
+            && self.envelope_of(landmark).is_none()
+        {
             let known = (landmark.clone(), height, envelope);
             self.envelopes.insert(id, known);
         }
-        self.bases.insert(id, one.basis);
         self.changed = true;
     }
 
-    /// Notes the basis of measurements on `order`; of measurements on another basis nothing stays.
-    fn note_basis(&mut self, documents: &Documents, order: &AssessmentOrder) {
-        let id = order.landmark.id;
-        let basis = basis_of(documents, order);
-        let before = self.bases.remove(&id);
-        let is_like = |basis: &MeasurementBasis| before.as_ref().is_some_and(|b| b.is_like(basis));
+    /// Puts a measurement beside those from other heights.
+    fn put(&mut self, measured: MeasuredLandmark) {
+        let landmark = &measured.last.landmark;
+        let id = landmark.id;
+        let mut all = self.measured.remove(&id).unwrap_or_default();
+        all.retain(|m| {
+            let is_another = (m.last.height - measured.last.height).abs() > OTHER_HEIGHT;
+            same(&m.last.landmark, landmark) && is_another
+        });
+        all.push(measured);
+        join(&mut all);
+        self.measured.insert(id, all);
+        self.changed = true;
+    }
+
+    /// Notes the basis of the measurements of a landmark; of measurements on another basis nothing stays.
+    fn base_on(&mut self, landmark: u32, basis: Option<MeasurementBasis>) {
+        let before = self.bases.remove(&landmark);
+        let is_like =
+            |basis: &MeasurementBasis| before.as_ref().is_some_and(|b| b.0.is_like(basis));
         if !basis.as_ref().is_some_and(is_like) {
-            self.measured.remove(&id);
-            self.envelopes.remove(&id);
+            self.measured.remove(&landmark);
+            self.envelopes.remove(&landmark);
         }
         if let Some(basis) = basis {
-            self.bases.insert(id, basis);
+            let now = self.planned.as_ref();
+            let is_of_now = now.is_some_and(|(now, _)| basis.is_like(now));
+            self.bases.insert(landmark, (basis, is_of_now));
         }
     }
 
@@ -293,7 +390,8 @@ impl Assessments {
             }
             self.failed.remove(&order.landmark.id);
             self.survey_progress = 0.0;
-            self.note_basis(context.documents, &order);
+            let basis = basis_of(context.documents, &order);
+            self.base_on(order.landmark.id, basis);
             let id = context.start(Job::Envelope(EnvelopeOrder(Box::new(order.clone()))));
             self.surveyed = Some((id, order));
         }
@@ -357,22 +455,9 @@ impl Assessments {
     }
 
     fn keep(&mut self, found: &Assessment) {
-        let id = found.landmark.id;
-        let before = self.measured.remove(&id);
-        let mut by_height = before
-            .filter(|m| same(&m.last.landmark, &found.landmark))
-            .map_or_else(Vec::new, |m| m.statistics.by_height);
-        by_height.retain(|(height, _)| (height - found.height).abs() > 1.0);
-        by_height.push((found.height, found.expected));
-        sort(&mut by_height, &|a, b| a.0.total_cmp(&b.0));
-        let measured = MeasuredLandmark {
+        self.put(MeasuredLandmark {
             last: found.clone(),
-            statistics: DetectionStatistics {
-                by_height,
-                ..found.statistics()
-            },
-        };
-        self.measured.insert(id, measured);
-        self.changed = true;
+            statistics: found.statistics(),
+        });
     }
 }

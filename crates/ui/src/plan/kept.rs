@@ -20,7 +20,7 @@ pub fn basis_of(documents: &Documents, order: &AssessmentOrder) -> Option<Measur
 }
 
 /// Basis of measurements that would be made now; `None` while the map is not known.
-fn basis_now(documents: &Documents) -> Option<MeasurementBasis> {
+pub fn basis_now(documents: &Documents) -> Option<MeasurementBasis> {
     let camera = flown::camera(documents);
     basis(documents, &camera, &documents.mission.navigator)
 }

@@ -168,10 +168,13 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
         ui.add_space(tokens.space);
         tallies::breakdown(ui, &measured.last.breakdown, context);
     } else {
-        ui.label(muted(
-            tokens,
-            format!("Not tested: counted like {}.", planner.untested.words()),
-        ));
+        let untested = if planner.assessments.has_any(landmark) {
+            "Tested, but not from this height with this camera and these settings"
+        } else {
+            "Not tested"
+        };
+        let words = format!("{untested}: counted like {}.", planner.untested.words());
+        ui.label(muted(tokens, words));
     }
     let known = planner.assessments.of(landmark).is_some()
         || planner.assessments.envelope(landmark).is_some();

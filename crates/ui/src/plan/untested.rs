@@ -5,8 +5,13 @@ use pilotage_core::plan::{ExpectedDetection, UntestedDetection};
 use crate::feature::FeatureContext;
 use pilotage_jobs::{Job, JobEvent, JobId, UntestedOrder};
 
-/// Share by which a height or a size may be another before boxes are looked at again.
+/// Share by which a height or a size may be another before boxes and landmarks are looked at again.
 const ALIKE: f64 = 0.25;
+
+/// Whether what was found at a height or of a size is told of another one.
+pub fn is_about(found: f64, planned: f64) -> bool {
+    (found / planned - 1.0).abs() < ALIKE
+}
 
 /// Statement about the map that is open, and the question being asked.
 #[derive(Debug)]
@@ -28,13 +33,12 @@ impl Default for Untested {
 
 /// Whether a statement about `a` holds for `b`, too.
 fn holds(a: &UntestedOrder, b: &UntestedOrder) -> bool {
-    let close = |a: f64, b: f64| (a / b - 1.0).abs() < ALIKE;
     let (of, like) = (&a.like, &b.like);
     of.map == like.map
         && of.camera == like.camera
         && of.navigator.detector == like.navigator.detector
-        && close(of.height, like.height)
-        && close(of.landmark.bounds.width(), like.landmark.bounds.width())
+        && is_about(of.height, like.height)
+        && is_about(of.landmark.bounds.width(), like.landmark.bounds.width())
         && a.within.overlaps(&b.within)
 }
 

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use pilotage_core::landmark::Landmark;
 
+use super::flown::flown_height;
 use super::planner::Planner;
 use crate::feature::FeatureContext;
 use pilotage_jobs::{JobEvent, JobId, MapSource};
@@ -39,6 +40,10 @@ impl Planner {
     pub(super) fn work(&mut self, context: &mut FeatureContext<'_>) {
         let mut waits = self.examine(context);
         self.settle(context.documents);
+        if context.is_shown {
+            let height = flown_height(context.documents);
+            self.assessments.keep_to(context.documents, height);
+        }
         self.assessments.work(context);
         self.trainings.work(context);
         self.keep_detectors(context);

@@ -1,9 +1,10 @@
 use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
+use pilotage_core::plan::{DetectionStatistics, UntestedDetection};
 use pilotage_jobs::{Job, JobEvent};
 
 use super::super::support::{Ahead, ScriptedHost, rig_on};
-use super::{draw, number, planning};
+use super::{choose, draw, number, planning, set};
 
 #[test]
 fn a_measured_landmark_is_believed_instead_of_the_assumption() {
@@ -282,4 +283,98 @@ fn the_legend_of_a_test_is_whole_in_a_narrow_column() {
         assert!(drawn.clone().count() > 0, "{words} is not drawn");
         assert!(drawn.all(|(_, right, end)| right <= end), "{words} is cut");
     }
+}
+
+/// The plan with a route and all of its four landmarks tested at the usual height, where none is tested unasked.
+fn tested() -> super::Rig {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Test all").click();
+    for _ in 0..4 {
+        rig.settle();
+    }
+    rig.open_tab("Route");
+    rig.settle();
+    rig.harness
+        .get_by_label("All 4 landmarks in use are tested.");
+    rig
+}
+
+/// Plans all way-points at a height above ground, metres.
+fn plan_at(rig: &mut super::Rig, metres: f64) {
+    rig.open_tab("Route");
+    if rig.state()["plan"]["way_point"].is_null() {
+        choose(rig, 1);
+    }
+    set(rig, "Altitude of the way-point", metres);
+    rig.harness
+        .get_by_label("This altitude for all way-points")
+        .click_accesskit();
+    rig.settle();
+    assert_eq!(number(rig, "/routes/0/way_points/1/altitude"), metres);
+}
+
+/// Number of landmarks of which a test is told.
+fn told(rig: &super::Rig) -> Option<usize> {
+    rig.state()["plan"]["measured"].as_array().map(Vec::len)
+}
+
+#[test]
+fn a_test_counts_only_for_plans_that_are_flown_from_about_its_height() {
+    let mut rig = tested();
+    let usual = number(&rig, "/routes/0/way_points/0/altitude");
+    // A tenth more is the same test; four times as high is another.
+    plan_at(&mut rig, 1.1 * usual);
+    assert_eq!(number(&rig, "/measured/3/probability"), 0.45);
+    plan_at(&mut rig, 4.0 * usual);
+    assert_eq!(told(&rig), Some(0));
+    rig.harness
+        .get_by_label_contains("None of 4 landmarks is tested. Each counts like a box at random");
+    // It is predicted as where nobody tested any.
+    let predicted = rig.host().jobs.iter().rev().find_map(|(_, job)| match job {
+        Job::Predict(order) => Some(order.landmarks.clone()),
+        _ => None,
+    });
+    let untested = DetectionStatistics::everywhere(UntestedDetection::of_any_map().expected);
+    let predicted = predicted.expect("a prediction");
+    assert!(predicted.iter().all(|(_, expected)| *expected == untested));
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    rig.harness
+        .get_by_label_contains("Tested, but not from this height with this camera");
+    // What is tested from there is another test, and neither takes the place of the other.
+    rig.harness.state_mut().host.per_frame = Some(0.8);
+    rig.harness
+        .get_by_label("Test how well it is found")
+        .click();
+    rig.settle();
+    assert!((number(&rig, "/measured/0/probability") - 0.72).abs() < 1e-9);
+    plan_at(&mut rig, usual);
+    assert_eq!(number(&rig, "/measured/0/probability"), 0.45);
+    assert_eq!(number(&rig, "/measured/3/probability"), 0.45);
+    // Both are there at the next visit.
+    let host = ScriptedHost {
+        stored: rig.host().stored.clone(),
+        ..ScriptedHost::default()
+    };
+    let mut again = rig_on(host, Vec2::new(1440.0, 900.0));
+    again.open_tab("Plan");
+    again.settle();
+    assert_eq!(told(&again), Some(4));
+    plan_at(&mut again, 4.0 * usual);
+    assert_eq!(told(&again), Some(1));
+}
+
+#[test]
+fn a_test_counts_only_while_the_settings_are_those_that_it_was_made_with() {
+    let mut rig = tested();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    set(&mut rig, "Camera tilt σ", 3.0);
+    assert_eq!(told(&rig), Some(0));
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
+    rig.settle();
+    assert_eq!(told(&rig), Some(4));
 }
