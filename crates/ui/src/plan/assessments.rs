@@ -32,9 +32,7 @@ pub struct Assessments {
     /// Why a landmark could not be measured.
     failed: ShortMap<u32, FailedMeasurement>,
     waiting: VecDeque<AssessmentOrder>,
-    asked: Option<(JobId, u32)>,
-    /// Failure of the measurement under way should the landmark not fit into a picture.
-    misfit: String,
+    asked: Option<(JobId, AssessmentOrder)>,
     /// Whether nobody asked for the measurement under way.
     is_ahead: bool,
     /// Progress of the measurement under way, 0 to 1, and its words.
@@ -62,17 +60,17 @@ pub struct Assessments {
 struct FailedMeasurement {
     landmark: Landmark,
     why: String,
-    /// Whether it does not fit into a picture.
-    is_misfit: bool,
+    /// The height from which it does not fit into a picture, metres, if that is why.
+    misfit: Option<f64>,
 }
 
 impl FailedMeasurement {
-    /// Failure of a measurement, which is `misfit` should the landmark not fit into a picture.
-    fn new(landmark: &Landmark, why: &str, misfit: &str) -> Self {
+    /// Failure of what was ordered.
+    fn new(order: &AssessmentOrder, why: &str) -> Self {
         Self {
-            landmark: landmark.clone(),
+            landmark: order.landmark.clone(),
             why: why.to_owned(),
-            is_misfit: why == misfit,
+            misfit: (why == order.misfit()).then_some(order.height),
         }
     }
 }
@@ -146,22 +144,32 @@ impl Assessments {
         self.planned = now.map(|basis| (basis, height));
     }
 
+    /// Failure of the measurement of a landmark that is true of the plan: from higher up it may fit into a picture.
+    fn failure(&self, landmark: &Landmark) -> Option<&FailedMeasurement> {
+        let planned = self.planned_height(landmark.id)?;
+        let known = self.failed.get(&landmark.id);
+        known.filter(|it| {
+            same(&it.landmark, landmark) && it.misfit.is_none_or(|height| planned <= height)
+        })
+    }
+
     /// Why it could not be measured.
     pub fn trouble(&self, landmark: &Landmark) -> Option<&str> {
-        let known = self.failed.get(&landmark.id);
-        known
-            .filter(|it| same(&it.landmark, landmark))
-            .map(|it| it.why.as_str())
+        self.failure(landmark).map(|it| it.why.as_str())
+    }
+
+    /// Whether a landmark is not measured as it does not fit into a picture from the planned height.
+    pub fn is_misfit(&self, landmark: &Landmark) -> bool {
+        let failure = self.failure(landmark);
+        self.of(landmark).is_none() && failure.is_some_and(|it| it.misfit.is_some())
     }
 
     /// Expected detections of a landmark as it was measured: one that does not fit into a picture is never found; `None`
     /// of one that nobody measured.
     pub fn expected(&self, landmark: &Landmark) -> Option<DetectionStatistics> {
-        if let Some(measured) = self.of(landmark) {
-            return Some(measured.statistics.clone());
-        }
-        let failed = self.failed.get(&landmark.id)?;
-        (failed.is_misfit && same(&failed.landmark, landmark)).then(DetectionStatistics::default)
+        let measured = self.of(landmark).map(|it| it.statistics.clone());
+        let misfit = || self.is_misfit(landmark).then(DetectionStatistics::default);
+        measured.or_else(misfit)
     }
 
     /// The height that was planned with when it was looked at from others, metres, and from where it is
@@ -189,8 +197,8 @@ impl Assessments {
 
     /// The landmark being measured, and how far that is.
     pub fn under_way(&self) -> Option<(u32, f32, &str)> {
-        let (_, landmark) = self.asked?;
-        Some((landmark, self.progress.0, self.progress.1.as_str()))
+        let (_, order) = self.asked.as_ref()?;
+        Some((order.landmark.id, self.progress.0, self.progress.1.as_str()))
     }
 
     /// Numbers of landmarks that are done and of all, while several are measured.
@@ -212,7 +220,8 @@ impl Assessments {
         for order in orders {
             let id = order.landmark.id;
             self.failed.remove(&id);
-            let asked = !self.is_ahead && self.asked.is_some_and(|(_, of)| of == id);
+            let is_it = |(_, of): &(_, AssessmentOrder)| of.landmark.id == id;
+            let asked = !self.is_ahead && self.asked.as_ref().is_some_and(is_it);
             if !asked && self.waiting.iter().all(|o| o.landmark.id != id) {
                 self.waiting.push_back(order);
                 self.batch += 1;
@@ -235,14 +244,14 @@ impl Assessments {
         let landmark = order.landmark.id;
         self.progress = (0.0, "Waiting for a worker".to_owned());
         self.base_on(landmark, basis_of(context.documents, &order));
-        self.misfit = order.misfit();
-        let order = Box::new(order);
+        self.failed.remove(&landmark);
+        let boxed = Box::new(order.clone());
         let id = context.start(if self.is_ahead {
-            Job::AssessAhead(AssessAheadOrder(order))
+            Job::AssessAhead(AssessAheadOrder(boxed))
         } else {
-            Job::Assess(order)
+            Job::Assess(boxed)
         });
-        self.asked = Some((id, landmark));
+        self.asked = Some((id, order));
     }
 
     /// Stops measuring; what is known stays.
@@ -408,27 +417,26 @@ impl Assessments {
     }
 
     /// Takes what a worker says; false if it is about something else.
-    pub fn receive(&mut self, id: JobId, event: &JobEvent, landmarks: &[Landmark]) -> bool {
+    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
         if let Some((_, order)) = self.surveyed.take_if(|(asked, _)| *asked == id) {
             self.survey_event(order, id, event);
             return true;
         }
-        let Some((_, landmark)) = self.asked.filter(|(asked, _)| *asked == id) else {
+        let Some((_, order)) = self.asked.take_if(|(asked, _)| *asked == id) else {
             return false;
         };
         match event {
             JobEvent::Progress(fraction, words) => self.progress = (*fraction, words.clone()),
             JobEvent::Assessment(found) => self.keep(found),
             JobEvent::Failed(why) => {
-                if let Some(of) = landmarks.iter().find(|l| l.id == landmark) {
-                    let failed = FailedMeasurement::new(of, why, &self.misfit);
-                    self.failed.insert(landmark, failed);
-                }
-                self.asked = None;
+                let failed = FailedMeasurement::new(&order, why);
+                self.failed.insert(order.landmark.id, failed);
+                return true;
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.asked = None,
+            JobEvent::Finished | JobEvent::Cancelled => return true,
             _ => {}
         }
+        self.asked = Some((id, order));
         true
     }
 
@@ -441,7 +449,7 @@ impl Assessments {
                 self.envelopes.insert(landmark.id, known);
             }
             JobEvent::Failed(why) => {
-                let failed = FailedMeasurement::new(&landmark, why, &order.misfit());
+                let failed = FailedMeasurement::new(&order, why);
                 self.failed.insert(landmark.id, failed);
                 return;
             }

@@ -167,6 +167,8 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
         result(ui, measured, context);
         ui.add_space(tokens.space);
         tallies::breakdown(ui, &measured.last.breakdown, context);
+    } else if planner.assessments.is_misfit(landmark) {
+        ui.label(muted(tokens, "Not tested: counted as never found."));
     } else {
         let untested = if planner.assessments.has_any(landmark) {
             "Tested, but not from this height with this camera and these settings"

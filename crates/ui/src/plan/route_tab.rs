@@ -321,8 +321,10 @@ pub fn assumptions(
         .cloned()
         .collect();
     let measured = planner.assessments.count(&used);
+    let too_large = used.iter().filter(|l| planner.assessments.is_misfit(l));
     let mut list = vec![tested_words(
         measured,
+        too_large.count(),
         used.len(),
         &planner.untested.words(),
     )];
@@ -434,24 +436,40 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
     });
 }
 
-/// Number of the landmarks in use that are tested, and what one that is not counts like, in words.
-fn tested_words(tested: usize, used: usize, like: &str) -> String {
-    match (tested, used) {
-        (_, 0) => "No landmark is switched on.".to_owned(),
-        (0, 1) => format!("The landmark in use is not tested. It counts like {like}."),
-        (0, all) => format!("None of {all} landmarks is tested. Each counts like {like}."),
-        (1, 1) => "The landmark in use is tested.".to_owned(),
-        (2, 2) => "Both landmarks in use are tested.".to_owned(),
-        (some, all) if some >= all => format!("All {all} landmarks in use are tested."),
-        (some, all) => {
-            let are = if some == 1 { "is" } else { "are" };
-            let rest = match all - some {
-                1 => "The other one counts",
-                _ => "Each of the others counts",
-            };
-            format!("{some} of {all} landmarks {are} tested. {rest} like {like}.")
+/// Number of the landmarks in use that are tested and of those that are too large for a picture, and what one that is
+/// neither counts like, in words.
+fn tested_words(tested: usize, too_large: usize, used: usize, like: &str) -> String {
+    let rest = match used.saturating_sub(tested + too_large) {
+        0 => String::new(),
+        1 if used > 1 => format!(" The other one counts like {like}."),
+        _ if tested + too_large > 0 => format!(" Each of the others counts like {like}."),
+        1 => format!(" It counts like {like}."),
+        _ => format!(" Each counts like {like}."),
+    };
+    let are_tested = match (tested, used) {
+        (_, 0) => return "No landmark is switched on.".to_owned(),
+        (0, 1) if too_large == 1 => {
+            return "The landmark in use does not fit into a picture from this height: it counts as never found."
+                .to_owned();
         }
-    }
+        (0, 1) => "The landmark in use is not tested".to_owned(),
+        (0, all) => format!("None of {all} landmarks is tested"),
+        (1, 1) => "The landmark in use is tested".to_owned(),
+        (2, 2) => "Both landmarks in use are tested".to_owned(),
+        (some, all) if some >= all => format!("All {all} landmarks in use are tested"),
+        (1, all) => format!("1 of {all} landmarks is tested"),
+        (some, all) => format!("{some} of {all} landmarks are tested"),
+    };
+    let misfits = match too_large {
+        0 => String::new(),
+        1 => {
+            " 1 does not fit into a picture from this height and counts as never found.".to_owned()
+        }
+        some => {
+            format!(" {some} do not fit into a picture from this height and count as never found.")
+        }
+    };
+    format!("{are_tested}.{misfits}{rest}")
 }
 
 #[cfg(test)]
@@ -460,7 +478,7 @@ mod tests {
 
     #[test]
     fn tested_landmarks_are_counted_as_people_say_it() {
-        let told = |tested, used| tested_words(tested, used, "a box");
+        let told = |tested, used| tested_words(tested, 0, used, "a box");
         assert_eq!(
             told(0, 1),
             "The landmark in use is not tested. It counts like a box."
@@ -479,5 +497,24 @@ mod tests {
         );
         assert_eq!(told(2, 2), "Both landmarks in use are tested.");
         assert_eq!(told(9, 9), "All 9 landmarks in use are tested.");
+        let told = |tested, too_large, used| tested_words(tested, too_large, used, "a box");
+        assert_eq!(
+            told(0, 1, 1),
+            "The landmark in use does not fit into a picture from this height: it counts as never found."
+        );
+        assert_eq!(
+            told(0, 1, 5),
+            "None of 5 landmarks is tested. 1 does not fit into a picture from this height and counts as never \
+             found. Each of the others counts like a box."
+        );
+        assert_eq!(
+            told(2, 2, 5),
+            "2 of 5 landmarks are tested. 2 do not fit into a picture from this height and count as never found. \
+             The other one counts like a box."
+        );
+        assert_eq!(
+            told(2, 1, 3),
+            "2 of 3 landmarks are tested. 1 does not fit into a picture from this height and counts as never found."
+        );
     }
 }

@@ -31,9 +31,7 @@ impl Planner {
             || self.trainings.receive(id, event)
             || self.examined(id, event)
             || self.brief_event(id, event, context)
-            || self
-                .assessments
-                .receive(id, event, &context.documents.mission.landmarks);
+            || self.assessments.receive(id, event);
     }
 
     /// Asks the workers for what the plan is missing.

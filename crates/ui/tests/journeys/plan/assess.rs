@@ -378,3 +378,42 @@ fn a_test_counts_only_while_the_settings_are_those_that_it_was_made_with() {
     rig.settle();
     assert_eq!(told(&rig), Some(4));
 }
+
+#[test]
+fn a_landmark_that_is_too_large_for_a_picture_is_tried_again_from_higher_up() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    rig.host().left = Some(|job| matches!(job, Job::Assess(_) | Job::AssessAhead(_)));
+    rig.harness
+        .get_by_label("Test how well it is found")
+        .click();
+    rig.settle();
+    let asked = rig.host().jobs.last().cloned();
+    let Some((id, Job::Assess(order))) = asked else {
+        panic!("a test was asked for, not {asked:?}");
+    };
+    let why = order.misfit();
+    rig.host().events.push((id, JobEvent::Failed(why)));
+    rig.settle();
+    rig.harness
+        .get_by_label("Not tested: counted as never found.");
+    rig.open_tab("Route");
+    rig.settle();
+    let never = "1 does not fit into a picture from this height and counts as never found.";
+    rig.harness.get_by_label_contains(never);
+    // From higher up it is again one that nobody tested, and is tested without being asked for.
+    rig.host().left = None;
+    plan_at(&mut rig, 2.0 * order.height);
+    assert!(rig.harness.query_by_label_contains(never).is_none());
+    rig.harness
+        .get_by_label_contains("None of 4 landmarks is tested. Each counts like a box");
+    plan_at(&mut rig, order.height);
+    rig.harness.get_by_label_contains(never);
+    plan_at(&mut rig, 2.0 * order.height);
+    rig.harness.state_mut().host.ahead = Ahead::Done;
+    rig.settle();
+    assert!(measured_ahead(&mut rig).contains(&order.landmark.id));
+}
