@@ -5,22 +5,21 @@ use serde_json::{Value, json};
 
 use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
+use super::finder::FindQuestion;
 use super::flown::{ground_down, height, line, planned_frame_rate, usual_altitude};
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::documents::Documents;
-use pilotage_jobs::{FindOrder, Foreseen, HighGround, PlannedPath, PredictionOrder};
+use pilotage_jobs::{FindOrder, Foreseen, PlannedPath, PredictionOrder};
 
 impl Planner {
-    /// Order of the search for a route; `None` while an end or the map is missing.
-    pub fn find_order(&self, documents: &Documents) -> Option<FindOrder> {
+    /// Plan for which a route is to be found; `None` while an end or the map is missing.
+    pub fn find_question(&self, documents: &Documents) -> Option<FindQuestion> {
         let mission = &documents.mission;
         let (from, to) = (self.finder.from?, self.finder.to?);
         let wanted = &self.preferences.find;
-        let height = height(
-            &line(&[from, to], self.found_altitude(documents)),
-            documents,
-        );
+        let altitude = self.found_altitude(documents);
+        let height = height(&line(&[from, to], altitude), documents);
         let field = self.field_order(documents, wanted.over, height)?;
         let path = PlannedPath {
             bank: Some(self.preferences.bank),
@@ -33,13 +32,13 @@ impl Planner {
             landmarks: self.expected_landmarks(mission),
             ..PredictionOrder::along(path, mission)
         };
-        wanted.order(
-            (from, to),
-            field,
-            flight,
-            mission.no_fly.clone(),
-            self.high_ground(documents),
-        )
+        let no_fly = mission.no_fly.clone();
+        let heights = documents.map.terrain.heights();
+        Some(FindQuestion {
+            order: wanted.order((from, to), field, flight, no_fly, None)?,
+            high_ground: self.highest_ground(documents).zip(heights.cloned()),
+            altitude,
+        })
     }
 
     /// The altitude of a route that is found: that of the selected route.
@@ -56,13 +55,6 @@ impl Planner {
         let take_off = documents.relief().at(&self.finder.from?);
         let wanted = &self.preferences.find;
         wanted.highest_ground(self.found_altitude(documents), take_off)
-    }
-
-    fn high_ground(&self, documents: &Documents) -> Option<HighGround> {
-        Some(HighGround {
-            highest: self.highest_ground(documents)?,
-            heights: documents.map.terrain.heights()?.as_ref().clone(),
-        })
     }
 
     /// Carries a command out; true if the mission changed.
@@ -86,10 +78,9 @@ impl Planner {
             FindCommand::Start => finder.wants = Some(true),
             FindCommand::Stop => finder.wants = Some(false),
             FindCommand::Accept => {
-                let Some(found) = finder.found.take() else {
+                let Some((found, altitude)) = finder.found.take().zip(finder.altitude()) else {
                     return false;
                 };
-                let altitude = self.found_altitude(documents);
                 let found = line(&found.surest.route.way_points, altitude);
                 let id = documents.add_route(Some(FindOrder::FOUND), found.way_points);
                 documents.mission.route = Some(id);

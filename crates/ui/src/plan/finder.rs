@@ -1,18 +1,48 @@
 //! The search for a route: its two ends, how far it is, and what was found.
 
-use pilotage_core::frames::{Geodetic, GroundPoint};
-use pilotage_core::mission::NoFlyZone;
+use std::sync::Arc;
+
+use pilotage_core::frames::{Altitude, Geodetic, GroundPoint};
+use pilotage_core::imagery::terrain::HeightGrid;
 
 use super::find_command::FindPick;
 use crate::feature::FeatureContext;
-use pilotage_jobs::{FindOrder, FoundPlan, Job, JobEvent, JobId};
+use pilotage_jobs::{FieldFrom, FindOrder, FoundPlan, HighGround, Job, JobEvent, JobId};
 
-/// Places between which, and areas around which, a route is searched.
-#[derive(Clone, Debug, PartialEq)]
-struct Ends {
-    from: Option<GroundPoint>,
-    to: Option<GroundPoint>,
-    no_fly: Vec<NoFlyZone>,
+/// Plan for which a route is searched.
+#[derive(Clone, Debug)]
+pub struct FindQuestion {
+    /// Order without the high ground.
+    pub order: FindOrder,
+    /// Greatest height of ground that may be flown over, metres, and the heights.
+    pub high_ground: Option<(f64, Arc<HeightGrid>)>,
+    /// Altitude at which the route is flown.
+    pub altitude: Altitude,
+}
+
+impl PartialEq for FindQuestion {
+    /// Whether both are of one plan; heights are the same only as long as nobody read them anew.
+    fn eq(&self, other: &Self) -> bool {
+        let is_high = match (&self.high_ground, &other.high_ground) {
+            (None, None) => true,
+            (Some((a, of)), Some((b, like))) => a == b && Arc::ptr_eq(of, like),
+            _ => false,
+        };
+        is_high && self.altitude == other.altitude && self.order == other.order
+    }
+}
+
+impl FindQuestion {
+    fn order(&self) -> FindOrder {
+        let high_ground = self.high_ground.as_ref();
+        FindOrder {
+            high_ground: high_ground.map(|(highest, heights)| HighGround {
+                heights: heights.as_ref().clone(),
+                highest: *highest,
+            }),
+            ..self.order.clone()
+        }
+    }
 }
 
 /// The search.
@@ -29,8 +59,10 @@ pub struct Finder {
     /// Why nothing was found.
     pub trouble: Option<String>,
     asked: Option<JobId>,
-    /// Ends and areas that it was asked about, and those of what was found.
-    about: Option<Ends>,
+    /// Plan that it was asked about, and that of what was found.
+    about: Option<FindQuestion>,
+    /// Whether the plan is another one since.
+    pub(super) is_outdated: bool,
     /// Origin of the world in which the ends were chosen.
     origin: Option<Geodetic>,
     progress: (f32, String),
@@ -53,9 +85,11 @@ impl Finder {
         if std::mem::replace(&mut self.origin, origin).is_some_and(|old| Some(old) != origin) {
             (self.from, self.to) = (None, None);
         }
-        let (from, to) = (self.from, self.to);
-        let is_same =
-            |about: &Ends| (about.from, about.to) == (from, to) && about.no_fly == mission.no_fly;
+        let ends = (self.from, self.to);
+        let is_same = |about: &FindQuestion| {
+            let about = &about.order;
+            (Some(about.from), Some(about.to)) == ends && about.no_fly == mission.no_fly
+        };
         if self.about.take_if(|about| !is_same(about)).is_some() {
             self.found = None;
             if let Some(id) = self.asked.take() {
@@ -64,9 +98,26 @@ impl Finder {
         }
     }
 
+    /// Whether the plan of now is asked for: to search for a route, or to be compared with that of what is found.
+    pub fn asks(&self) -> bool {
+        self.wants.is_some() || self.found.is_some()
+    }
+
+    /// Altitude at which what is found was searched.
+    pub fn altitude(&self) -> Option<Altitude> {
+        self.about.as_ref().map(|about| about.altitude)
+    }
+
+    /// Whether what is found leads over the places that the map alone offers.
+    pub fn is_over_map(&self) -> bool {
+        let of = self.about.as_ref().map(|about| &about.order.field.from);
+        matches!(of, Some(FieldFrom::Map { .. }))
+    }
+
     /// Starts or stops what is wanted.
-    pub fn work(&mut self, order: Option<FindOrder>, context: &mut FeatureContext<'_>) {
+    pub fn work(&mut self, question: Option<FindQuestion>, context: &mut FeatureContext<'_>) {
         let Some(start) = self.wants.take() else {
+            self.is_outdated = self.found.is_some() && self.about != question;
             return;
         };
         if let Some(id) = self.asked.take() {
@@ -77,14 +128,10 @@ impl Finder {
         }
         self.trouble = None;
         self.found = None;
-        if let Some(order) = order {
+        if let Some(question) = question {
             self.progress = (0.0, "Waiting for a worker".to_owned());
-            self.about = Some(Ends {
-                from: self.from,
-                to: self.to,
-                no_fly: order.no_fly.clone(),
-            });
-            self.asked = Some(context.start(Job::Find(Box::new(order))));
+            self.asked = Some(context.start(Job::Find(Box::new(question.order()))));
+            self.about = Some(question);
         } else {
             let why = "choose A and B on the map first, and wait until the map is there.";
             self.trouble = Some(why.to_owned());

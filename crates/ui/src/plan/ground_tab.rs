@@ -358,7 +358,19 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         ));
     }
     reached(ui, &found.surest, context);
-    if planner.preferences.find.over == FixesFrom::Map {
+    if let Some(altitude) = planner
+        .finder
+        .altitude()
+        .filter(|_| planner.finder.is_outdated)
+    {
+        let flown = altitude_words(&altitude, units);
+        let words = format!(
+            "The plan has changed since: these figures are of the plan before, flown at {flown}. Find the route again for \
+             those of now."
+        );
+        ui.label(egui::RichText::new(words).color(tokens.warning));
+    }
+    if planner.finder.is_over_map() {
         ui.label(muted(
             tokens,
             "Predicted with the landmarks in use: draw some along the found route.",

@@ -15,6 +15,8 @@ pub struct Suggestions {
     pub(super) asked: Option<(JobId, SuggestOrder)>,
     pub(super) progress: (f32, String),
     pub(super) wants: Option<bool>,
+    /// Whether the plan is another one since.
+    pub(super) is_outdated: bool,
     /// The one below the pointer in the list.
     pub(super) hovered: Option<usize>,
 }
@@ -30,9 +32,23 @@ impl Suggestions {
         }
     }
 
+    /// Whether an order of now is asked for: to look for landmarks, or to be compared with that of what is found.
+    pub fn asks(&self) -> bool {
+        self.wants.is_some() || self.found.is_some()
+    }
+
     /// Starts or stops what is wanted.
     pub fn work(&mut self, order: Option<SuggestOrder>, context: &mut FeatureContext<'_>) {
         let Some(start) = self.wants.take() else {
+            self.is_outdated = self.found.as_ref().is_some_and(|(of, _)| {
+                // Landmarks that are added are proposed no more, and how many are wanted changes none of them.
+                let now = order.map(|now| SuggestOrder {
+                    taken: of.taken.clone(),
+                    count: of.count,
+                    ..now
+                });
+                now.as_ref() != Some(of)
+            });
             return;
         };
         if let Some((id, _)) = self.asked.take() {

@@ -110,7 +110,7 @@ impl Planner {
         let tokens = context.tokens;
         let mission = context.mission;
         let say = |command| Command::from(PlanCommand::Suggest(command));
-        let Some((order, list)) = &self.suggestions.found else {
+        let Some((_, list)) = &self.suggestions.found else {
             return;
         };
         let added = |s: &Suggestion| is_added(s, &mission.landmarks);
@@ -123,9 +123,9 @@ impl Planner {
             let dismiss = PlanCommand::Suggest(SuggestCommand::Dismiss);
             button(ui, context, None, "Dismiss", false, dismiss);
         });
-        let route = context.selected_route().map_or(&[][..], |r| &r.way_points);
-        if !route.iter().map(|w| &w.position).eq(&order.way_points) {
-            ui.label(muted(tokens, "The route is another one since."));
+        if self.suggestions.is_outdated {
+            let words = "The plan has changed since: they are for another route, height, camera or settings.";
+            ui.label(egui::RichText::new(words).color(tokens.warning));
         }
         let mut hovered = None;
         for (index, suggestion) in list.iter().enumerate() {

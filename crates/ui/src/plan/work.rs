@@ -113,13 +113,13 @@ impl Planner {
         let blind = self.preferences.heat.blind;
         let mut waits = self.heat.work(heat, blind, context);
         self.finder.keep_to_mission(context);
-        let begins = self.finder.wants == Some(true);
-        let order = begins.then(|| self.find_order(context.documents));
-        self.finder.work(order.flatten(), context);
+        let asks = self.finder.asks();
+        let question = asks.then(|| self.find_question(context.documents));
+        self.finder.work(question.flatten(), context);
         let map = context.documents.map.source.clone();
         self.suggestions.keep_to(&map, context);
-        let begins = self.suggestions.wants == Some(true);
-        let order = begins.then(|| self.suggest_order(context.documents));
+        let asks = self.suggestions.asks();
+        let order = asks.then(|| self.suggest_order(context.documents));
         self.suggestions.work(order.flatten(), context);
         let order = self.order(context.documents);
         let limit = self.preferences.limit;

@@ -3,7 +3,8 @@ use egui_kittest::kittest::Queryable as _;
 use pilotage_core::plan::{Aim, BudgetOf};
 use pilotage_jobs::Job;
 
-use super::{click, draw_area, number, planning, screen, scroll, set};
+use super::super::support::Rig;
+use super::{choose, click, draw, draw_area, number, planning, screen, scroll, set};
 
 #[test]
 fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
@@ -126,4 +127,62 @@ fn a_click_on_the_last_corner_again_as_the_first_of_a_double_one_adds_no_corner(
     rig.key(Key::Enter);
     rig.settle();
     assert_eq!(rig.state()["plan"]["no_fly"][0], 4);
+}
+
+/// The plan with a route found from west to east while `height` metres above ground are planned, its card in view.
+fn found_at(height: f64) -> Rig {
+    let mut rig = planning();
+    draw(&mut rig, &[(-100.0, -300.0), (-100.0, 300.0)]);
+    choose(&mut rig, 1);
+    set(&mut rig, "Altitude of the way-point", height);
+    rig.key_with(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    click(&mut rig, 0.0, -300.0);
+    click(&mut rig, 0.0, 300.0);
+    rig.settle();
+    rig.harness.get_by_label("Find the route").click();
+    rig.settle();
+    assert!(number(&rig, "/find/surest/length") > 500.0);
+    rig
+}
+
+/// Begin of the warning that the plan has changed.
+const SINCE: &str = "The plan has changed since";
+
+#[test]
+fn a_found_route_is_flown_as_high_as_it_was_searched_for() {
+    let mut rig = found_at(300.0);
+    assert!(rig.harness.query_by_label_contains(SINCE).is_none());
+    // Another route is selected, at the usual height.
+    draw(&mut rig, &[(-60.0, -300.0), (-60.0, 300.0)]);
+    rig.open_tab("Ground");
+    rig.settle();
+    rig.harness.get_by_label_contains(SINCE);
+    rig.harness
+        .get_by_label_contains("flown at 300 m above ground");
+    rig.harness
+        .get_by_label("Make it a route")
+        .click_accesskit();
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["routes"][2]["name"], "Found route");
+    for index in 0..2 {
+        let at = format!("/routes/2/way_points/{index}/altitude");
+        assert_eq!(number(&rig, &at), 300.0);
+    }
+}
+
+#[test]
+fn figures_of_a_found_route_say_when_they_are_of_an_earlier_plan() {
+    let mut rig = found_at(150.0);
+    set(&mut rig, "Budget over the shortest route", 50.0);
+    rig.harness.get_by_label_contains(SINCE);
+    set(&mut rig, "Budget over the shortest route", 30.0);
+    assert!(rig.harness.query_by_label_contains(SINCE).is_none());
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    rig.key(Key::Delete);
+    rig.open_tab("Ground");
+    rig.settle();
+    rig.harness.get_by_label_contains(SINCE);
 }

@@ -2,7 +2,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_jobs::Job;
 
-use super::{draw, planning};
+use super::{choose, draw, planning, set};
 use crate::support::Rig;
 
 fn suggested(rig: &Rig) -> Vec<bool> {
@@ -71,4 +71,25 @@ fn one_of_the_suggestions_is_added_alone_with_its_reason_as_a_note() {
     rig.settle();
     assert!(suggested(&rig).is_empty());
     assert!(rig.harness.query_by_label("Add all").is_none());
+}
+
+#[test]
+fn suggestions_for_another_height_say_so() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    rig.open_tab("Landmarks");
+    rig.harness
+        .get_by_label("Suggest 6 landmarks for this route")
+        .click();
+    rig.settle();
+    let since = "The plan has changed since";
+    rig.harness.get_by_label("Add suggestion 2").click();
+    rig.settle();
+    assert!(rig.harness.query_by_label_contains(since).is_none());
+    rig.open_tab("Route");
+    choose(&mut rig, 1);
+    set(&mut rig, "Altitude of the way-point", 400.0);
+    rig.open_tab("Landmarks");
+    rig.settle();
+    rig.harness.get_by_label_contains(since);
 }
