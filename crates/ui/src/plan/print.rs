@@ -10,7 +10,7 @@ use super::emergency::{EmergencyScene, KnownLandmark, emergency, refuges};
 use super::flown::{camera, way_back};
 use super::legs::legs;
 use super::planner::Planner;
-use super::printing::{BriefLandmark, Printing};
+use super::printing::{AskedPictures, BriefLandmark, Printing};
 use super::route_tab::{assumptions, misled, stopped};
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
@@ -26,16 +26,60 @@ pub(super) const NO_ROUTE: CommandLack = CommandLack {
 };
 
 impl Planner {
-    /// Has the pictures of the brief made.
+    /// Has the brief of the selected route printed.
     pub(super) fn ask_for_brief(&mut self, context: &mut FeatureContext<'_>) {
-        let documents = &*context.documents;
-        let Some(route) = documents.mission.selected_route() else {
+        let Some(route) = context.documents.mission.selected_route() else {
             context.note(NO_ROUTE.what, NO_ROUTE.advice);
             return;
         };
+        let route = route.id;
+        self.forget_brief(context);
+        self.printing = Some(Printing { route, asked: None });
+        let text =
+            "The browser's print opens as soon as its prediction and its pictures are there.";
+        context.note("Preparing the mission brief", text);
+    }
+
+    fn forget_brief(&mut self, context: &mut FeatureContext<'_>) {
+        let asked = self.printing.take().and_then(|old| old.asked);
+        if let Some(asked) = asked {
+            context.cancel(asked.job);
+        }
+    }
+
+    /// Whether as much is predicted of the selected route as ever will be.
+    fn is_foreseen(&self, documents: &Documents) -> bool {
+        let may_be = self.forecast.trouble().is_none() && self.order(documents).is_some();
+        !may_be || self.forecast.is_fine()
+    }
+
+    /// Has the pictures of the brief made once its route is predicted; gives it up where another route is selected.
+    pub(super) fn work_on_brief(&mut self, context: &mut FeatureContext<'_>) {
+        let Some(printing) = &self.printing else {
+            return;
+        };
+        let of = printing.route;
+        let is_asked = printing.asked.is_some();
+        let route = context.documents.mission.selected_route();
+        if route.is_none_or(|route| route.id != of) {
+            self.forget_brief(context);
+            let text = "Another route was selected before it was ready. Print the brief again.";
+            context.note("The mission brief is not printed", text);
+        } else if !is_asked && self.is_foreseen(context.documents) {
+            let asked = self.ask_for_pictures(context);
+            self.printing = asked.map(|asked| Printing {
+                route: of,
+                asked: Some(asked),
+            });
+        }
+    }
+
+    fn ask_for_pictures(&self, context: &mut FeatureContext<'_>) -> Option<AskedPictures> {
+        let documents = &*context.documents;
+        let route = documents.mission.selected_route()?.clone();
         let (landmarks, more) = self.brief_landmarks(documents);
         let rally = documents.mission.rally.iter().map(|point| point.position);
-        let home = way_back(route, documents).map(|[_, home]| home);
+        let home = way_back(&route, documents).map(|[_, home]| home);
         let places = route.way_points.iter().map(|w| w.position);
         let places = places.chain(home).chain(rally);
         let boxes = landmarks.iter().flat_map(|l| {
@@ -45,25 +89,20 @@ impl Planner {
                 GroundPoint::new(b.south, b.east),
             ]
         });
-        let Some(area) = brief_area(places.chain(boxes)) else {
-            return;
-        };
+        let area = brief_area(places.chain(boxes))?;
         let order = BriefOrder {
             map: documents.map.source.clone(),
             area,
             boxes: landmarks.iter().map(|l| l.landmark.bounds).collect(),
         };
-        if let Some(old) = self.printing.take() {
-            context.cancel(old.job);
-        }
-        self.printing = Some(Printing {
+        Some(AskedPictures {
+            order: self.order(documents),
+            route,
             job: context.start(Job::Brief(order)),
             area,
             landmarks,
             more,
-        });
-        let text = "The browser's print opens as soon as its pictures are drawn.";
-        context.note("Preparing the mission brief", text);
+        })
     }
 
     /// The page for emergencies; none without a place to land at.
@@ -137,31 +176,50 @@ impl Planner {
         event: &JobEvent,
         context: &mut FeatureContext<'_>,
     ) -> bool {
-        let Some(printing) = self.printing.take_if(|it| it.job == id) else {
+        let is_it = |asked: &mut AskedPictures| asked.job == id;
+        let Some(printing) = &mut self.printing else {
+            return false;
+        };
+        let route = printing.route;
+        let Some(asked) = printing.asked.take_if(is_it) else {
             return false;
         };
         match event {
-            JobEvent::BriefPictures(pictures) => self.print_brief(&printing, pictures, context),
+            JobEvent::BriefPictures(pictures) => {
+                let documents = &*context.documents;
+                let is_of_now = documents.mission.selected_route() == Some(&asked.route)
+                    && self.order(documents) == asked.order
+                    && self.is_foreseen(documents);
+                // Where the plan is another one since, the pictures are made anew.
+                if is_of_now {
+                    self.printing = None;
+                    self.print_brief(&asked, pictures, context);
+                }
+            }
             JobEvent::Failed(why) => {
+                self.printing = None;
                 context.trouble("The mission brief cannot be drawn", why.as_str());
             }
-            JobEvent::Finished | JobEvent::Cancelled => {}
-            _ => self.printing = Some(printing),
+            JobEvent::Finished | JobEvent::Cancelled => self.printing = None,
+            _ => {
+                self.printing = Some(Printing {
+                    route,
+                    asked: Some(asked),
+                });
+            }
         }
         true
     }
 
     fn print_brief(
         &self,
-        printing: &Printing,
+        asked: &AskedPictures,
         pictures: &BriefPictures,
         context: &mut FeatureContext<'_>,
     ) {
         let documents = &*context.documents;
         let units = context.view.units;
-        let Some(route) = documents.mission.selected_route() else {
-            return;
-        };
+        let route = &asked.route;
         let wind = self.wind(documents);
         let way_back = way_back(route, documents);
         let legs = legs(route, way_back, (cruise(), self.preferences.bank), &wind);
@@ -206,10 +264,10 @@ impl Planner {
             assumptions: assumed,
             warnings,
             no_fly: &documents.mission.no_fly,
-            landmarks: &printing.landmarks,
-            more_landmarks: printing.more,
+            landmarks: &asked.landmarks,
+            more_landmarks: asked.more,
             attribution: documents.map.attribution().unwrap_or_default(),
-            area: printing.area,
+            area: asked.area,
             pictures,
             units,
         };

@@ -2,7 +2,8 @@
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
-use pilotage_jobs::JobId;
+use pilotage_core::mission::Route;
+use pilotage_jobs::{JobId, PredictionOrder};
 
 /// A landmark of the brief.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,15 +14,28 @@ pub struct BriefLandmark {
     pub found: String,
 }
 
-/// Brief whose pictures are being made.
+/// Pictures of a brief that are being made, and the plan that they are of.
 #[derive(Debug)]
-pub struct Printing {
+pub struct AskedPictures {
     /// Job that makes them.
     pub job: JobId,
-    /// Ground of its map.
+    /// The route.
+    pub route: Route,
+    /// Order of its prediction, if it can be predicted.
+    pub order: Option<PredictionOrder>,
+    /// Ground of the map.
     pub area: GroundRect,
     /// Landmarks in it, in order.
     pub landmarks: Vec<BriefLandmark>,
     /// Number of landmarks that are too many for it.
     pub more: usize,
+}
+
+/// Brief that is to be printed.
+#[derive(Debug)]
+pub struct Printing {
+    /// Id of its route.
+    pub route: u32,
+    /// Its pictures, once its route is predicted with all worlds.
+    pub asked: Option<AskedPictures>,
 }

@@ -124,6 +124,7 @@ impl Planner {
         let order = self.order(context.documents);
         let limit = self.preferences.limit;
         waits |= self.forecast.work(order, limit, context);
+        self.work_on_brief(context);
         let hoped = self.hoped(context.documents);
         self.remedies.work(&self.forecast, limit, hoped, context);
         let preferences = &self.preferences.rehearsal;
