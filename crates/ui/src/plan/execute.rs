@@ -276,16 +276,37 @@ fn step_of(command: &PlanCommand) -> EditStep {
     }
 }
 
-/// Does to a route what a command says. Whoever moves way-points of a pattern has a pattern no more.
-fn change(route: &mut Route, command: &PlanCommand) {
-    if matches!(
-        command,
+/// Whether a route that is a pattern is none any more after a command: where it is laid anew, way-points have no place,
+/// action, altitude or speed of their own but a take-off and a landing at the ends.
+fn ends_pattern(route: &Route, command: &PlanCommand) -> bool {
+    let last = route.way_points.len().saturating_sub(1);
+    match command {
         PlanCommand::MoveWayPoint { .. }
-            | PlanCommand::InsertWayPoint { .. }
-            | PlanCommand::DeleteWayPoint(_)
-            | PlanCommand::ReleasePattern
-            | PlanCommand::Reverse
-    ) {
+        | PlanCommand::InsertWayPoint { .. }
+        | PlanCommand::DeleteWayPoint(_)
+        | PlanCommand::ReleasePattern
+        | PlanCommand::Reverse => true,
+        PlanCommand::SetAction { index, action, .. } => match action {
+            WayPointAction::FlyBy => false,
+            WayPointAction::TakeOff => *index != 0,
+            WayPointAction::Land => *index != last,
+            _ => true,
+        },
+        PlanCommand::SetAltitude {
+            index: Some(index), ..
+        } => {
+            let of = route.way_points.get(*index);
+            let lands = *index == last && of.is_some_and(|w| w.action == WayPointAction::Land);
+            *index > 0 && !lands
+        }
+        PlanCommand::SetSpeed { index, .. } => *index != 1,
+        _ => false,
+    }
+}
+
+/// Does to a route what a command says.
+fn change(route: &mut Route, command: &PlanCommand) {
+    if ends_pattern(route, command) {
         Pattern::release(route);
     }
     match command {
@@ -332,4 +353,64 @@ fn insert(route: &mut Route, behind: usize, at: GroundPoint) {
     let mut new = like(Some(before), at, before.altitude);
     new.speed = after;
     route.way_points.insert(behind + 1, new);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, LocalFrame};
+
+    /// A survey of three passes.
+    fn surveyed() -> Route {
+        let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
+        let places = (0..6).map(|i| GroundPoint::new(f64::from(i), 0.0));
+        let places: Vec<GroundPoint> = places.collect();
+        let mut route = flown::line(&places, altitude);
+        let frame = LocalFrame::new(Geodetic::from_degrees(47.0, 8.0, 0.0));
+        let pattern = Pattern::new(CoveredGround::Survey, &places, &frame);
+        let text = serde_json::to_string(&pattern).unwrap();
+        route.properties.insert("pattern".to_owned(), text);
+        route
+    }
+
+    #[test]
+    fn a_pattern_is_none_any_more_once_a_way_point_has_something_of_its_own() {
+        let action = |index, action| PlanCommand::SetAction {
+            index,
+            action,
+            finished: true,
+        };
+        let altitude = |index| PlanCommand::SetAltitude {
+            index,
+            altitude: Altitude::new(150.0, AltitudeFrame::AboveGround),
+            finished: true,
+        };
+        let speed = |index| PlanCommand::SetSpeed {
+            index,
+            speed: Some(14.0),
+            finished: true,
+        };
+        let circle = WayPointAction::Loiter {
+            radius: 60.0,
+            turns: 1.0,
+        };
+        for (command, stays) in [
+            (PlanCommand::ToggleTakeOff, true),
+            (PlanCommand::ToggleLanding, true),
+            (PlanCommand::ToggleReturn, true),
+            (action(0, WayPointAction::TakeOff), true),
+            (action(5, WayPointAction::Land), true),
+            (action(3, circle), false),
+            (action(0, circle), false),
+            (altitude(None), true),
+            (altitude(Some(0)), true),
+            (altitude(Some(4)), false),
+            (speed(1), true),
+            (speed(3), false),
+        ] {
+            let mut route = surveyed();
+            change(&mut route, &command);
+            assert_eq!(Pattern::of(&route).is_some(), stays, "{command:?}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::mission::pattern::{Passes, corridor, fewest_passes, picture_on_ground, survey};
-use pilotage_core::mission::{Route, WayPoint};
+use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 use serde::{Deserialize, Serialize};
 
 /// Property of a route with the pattern that it is made of.
@@ -113,17 +113,32 @@ impl Pattern {
     }
 
     /// Makes a route of it; altitude and speed are those of the route's first way-points, or
-    /// `otherwise`.
+    /// `otherwise`. A take-off at its beginning and a landing at its end stay, the landing at its altitude.
     pub fn apply(&self, route: &mut Route, otherwise: Altitude, c: &PassCircumstances) {
         let altitude = route.way_points.first().map_or(otherwise, |w| w.altitude);
         let speed = route.way_points.get(1).and_then(|w| w.speed);
+        let take_off = route.way_points.first().cloned();
+        let take_off = take_off.filter(|w| w.action == WayPointAction::TakeOff);
+        let landing = route.way_points.last().cloned();
+        let landing = landing.filter(|w| w.action == WayPointAction::Land);
         let places = self.places(c).into_iter().enumerate();
-        route.way_points = places
-            .map(|(i, place)| WayPoint {
-                speed: speed.filter(|_| i > 0),
-                ..WayPoint::new(place, altitude)
-            })
-            .collect();
+        let way_points = places.map(|(i, place)| WayPoint {
+            speed: speed.filter(|_| i > 0),
+            ..WayPoint::new(place, altitude)
+        });
+        route.way_points = way_points.collect();
+        let keep = |new: Option<&mut WayPoint>, old: Option<WayPoint>| {
+            if let Some((new, old)) = new.zip(old) {
+                let (position, speed) = (new.position, new.speed);
+                *new = WayPoint {
+                    position,
+                    speed,
+                    ..old
+                };
+            }
+        };
+        keep(route.way_points.first_mut(), take_off);
+        keep(route.way_points.last_mut(), landing);
         let text = serde_json::to_string(self).unwrap_or_default();
         route.properties.insert(PROPERTY.to_owned(), text);
     }
@@ -178,5 +193,32 @@ mod tests {
         assert_eq!(route.way_points.len(), 26);
         assert!(route.way_points.iter().all(|w| w.altitude == low));
         assert!(route.way_points[1..].iter().all(|w| w.speed == Some(14.0)));
+    }
+
+    #[test]
+    fn take_off_and_landing_stay_at_the_ends_under_another_overlap() {
+        let c = circumstances();
+        let mut pattern = Pattern::new(CoveredGround::Survey, &field(), &c.frame);
+        let mut route = Route::default();
+        let high = Altitude::new(100.0, AltitudeFrame::AboveGround);
+        pattern.apply(&mut route, high, &c);
+        let ground = Altitude::new(0.0, AltitudeFrame::AboveGround);
+        route.way_points[0].action = WayPointAction::TakeOff;
+        route.way_points[13].action = WayPointAction::Land;
+        route.way_points[13].altitude = ground;
+        let there = route.way_points[13].position;
+        pattern.side_overlap = 0.8;
+        pattern.apply(&mut route, ground, &c);
+        let actions: Vec<_> = route.way_points.iter().map(|w| w.action).collect();
+        assert_eq!(actions.len(), 26);
+        assert_eq!(actions[0], WayPointAction::TakeOff);
+        assert_eq!(actions[25], WayPointAction::Land);
+        assert!(actions[1..25].iter().all(|a| *a == WayPointAction::FlyBy));
+        assert_eq!(route.way_points[25].altitude, ground);
+        assert_eq!(route.way_points[0].altitude, high);
+        assert_ne!(
+            route.way_points[25].position, there,
+            "it lands where it ends"
+        );
     }
 }
