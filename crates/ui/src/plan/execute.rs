@@ -14,6 +14,7 @@ use super::planner::{Planner, made_for};
 use super::rally::edit_rally_points;
 use super::routes::{EditStep, like};
 use super::tab::PlanTab;
+use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use pilotage_jobs::FlightSource;
 
@@ -233,8 +234,32 @@ impl Planner {
                 documents.edit_route(id, EditStep::Whole, |r| change(r, &command));
                 self.way_point = None;
             }
-            other => documents.edit_route(id, step_of(&other), |r| change(r, &other)),
+            other => {
+                let laid = self.laid_anew(&other, documents);
+                documents.edit_route(id, step_of(&other), |route| match laid {
+                    Some(laid) => *route = laid,
+                    None => change(route, &other),
+                });
+            }
         }
+    }
+
+    /// The selected route after a command that sets the altitude or the speed of a pattern, whose passes are laid for them.
+    fn laid_anew(&self, command: &PlanCommand, documents: &Documents) -> Option<Route> {
+        let sets = matches!(
+            command,
+            PlanCommand::SetAltitude {
+                index: None | Some(0),
+                ..
+            } | PlanCommand::SetSpeed { index: 1, .. }
+        );
+        let route = documents.mission.selected_route().filter(|_| sets)?;
+        let pattern = Pattern::of(route)?;
+        let mut laid = route.clone();
+        change(&mut laid, command);
+        let made_for = made_for(self, documents, Some(&laid));
+        pattern.apply(&mut laid, flown::usual_altitude(documents), &made_for);
+        Some(laid)
     }
 
     fn assess(&mut self, command: &PlanCommand, context: &FeatureContext<'_>) {

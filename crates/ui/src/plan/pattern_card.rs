@@ -3,11 +3,12 @@
 use egui::{DragValue, Ui};
 use pilotage_core::mission::Route;
 
+use super::button::button;
 use super::command::PlanCommand;
 use super::patterns::{CoveredGround, PassCircumstances, Pattern};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{caption, icon_button, icons::Icon, muted};
+use crate::shell::{caption, counted, icon_button, icons::Icon, muted};
 
 /// Draws what a pattern is made of.
 pub fn pattern_card(
@@ -74,19 +75,40 @@ pub fn pattern_card(
             }
         }
     });
-    let per_pass = match pattern.cover {
-        CoveredGround::Survey => 2,
-        CoveredGround::Corridor { .. } => pattern.places.len().max(1),
-    };
-    let count = route.way_points.len() / per_pass;
+    let laid = pattern.laid(route, circumstances);
     let between = pattern.between_pictures(circumstances);
+    let passes = match laid.spacing {
+        Some(spacing) => {
+            let overlap = 100.0 * Pattern::overlap(spacing, circumstances);
+            let beside = if overlap < 0.0 {
+                "with gaps between their pictures".to_owned()
+            } else {
+                format!("overlap {overlap:.0} %")
+            };
+            let apart = spacing * factor;
+            let count = laid.count;
+            format!("{count} passes, {apart:.0} {unit} apart, {beside}")
+        }
+        None => "1 pass".to_owned(),
+    };
     let words = format!(
-        "{count} passes, at most {:.0} {unit} apart; a picture every {:.0} {unit}, {:.1} s in calm air.",
-        pattern.passes(circumstances).spacing * factor,
+        "{passes}; a picture every {:.0} {unit}, {:.1} s in calm air.",
         between * factor,
         between / cruise
     );
     ui.label(muted(tokens, words));
+    if !laid.is_of_now {
+        let needed = counted(laid.needed, "pass", "passes");
+        let words = format!(
+            "They were laid for another height, camera or bank limit: now it takes {needed}."
+        );
+        ui.label(egui::RichText::new(words).color(tokens.warning));
+        let set = PlanCommand::SetPattern {
+            pattern: Box::new(pattern.clone()),
+            finished: true,
+        };
+        button(ui, context, None, "Lay the passes anew", true, set);
+    }
     if next != *pattern {
         let set = PlanCommand::SetPattern {
             pattern: Box::new(next),

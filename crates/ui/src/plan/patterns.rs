@@ -4,6 +4,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::mission::pattern::{Passes, corridor, fewest_passes, picture_on_ground, survey};
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
+use pilotage_core::sorting::sort;
 use serde::{Deserialize, Serialize};
 
 /// Property of a route with the pattern that it is made of.
@@ -50,6 +51,43 @@ pub struct PassCircumstances {
     pub radius: f64,
 }
 
+/// Distance within which a place is the same, metres.
+const SAME_PLACE: f64 = 0.5;
+
+/// Passes of a route as they lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LaidPasses {
+    /// Their number.
+    pub count: usize,
+    /// Greatest distance between neighbours, metres; `None` of fewer than two.
+    pub spacing: Option<f64>,
+    /// Number of passes that the pattern takes now.
+    pub needed: usize,
+    /// Whether the pattern would be laid like that now.
+    pub is_of_now: bool,
+}
+
+/// Greatest distance between neighbouring passes of `per_pass` way-points each, there and back, metres.
+fn spacing(way_points: &[WayPoint], per_pass: usize) -> Option<f64> {
+    let (a, b) = (way_points.first()?.position, way_points.get(1)?.position);
+    let along = b.to_vector() - a.to_vector();
+    let passes = way_points.chunks_exact(per_pass).enumerate();
+    // Of every second pass the end lies beside the beginning of the first.
+    let beside = passes.filter_map(|(i, pass)| {
+        let end = if i % 2 == 0 {
+            pass.first()?
+        } else {
+            pass.last()?
+        };
+        let way = end.position.to_vector() - a.to_vector();
+        Some((along.x * way.y - along.y * way.x) / along.norm())
+    });
+    let mut beside: Vec<f64> = beside.collect();
+    sort(&mut beside, &|a, b| a.total_cmp(b));
+    let steps = beside.windows(2).map(|pair| pair[1] - pair[0]);
+    steps.max_by(f64::total_cmp)
+}
+
 impl Pattern {
     /// A pattern with the usual overlaps over or along these places.
     pub fn new(cover: CoveredGround, places: &[GroundPoint], frame: &LocalFrame) -> Self {
@@ -79,8 +117,15 @@ impl Pattern {
         route.properties.remove(PROPERTY);
     }
 
+    /// Share of a picture that the pass beside shows too where passes are `spacing` metres apart; negative where there is a
+    /// gap between them.
+    pub(super) fn overlap(spacing: f64, c: &PassCircumstances) -> f64 {
+        let (across, _) = picture_on_ground(&c.camera, c.height);
+        1.0 - spacing / across
+    }
+
     /// Spacing of its passes beside each other.
-    pub(super) fn passes(&self, c: &PassCircumstances) -> Passes {
+    fn passes(&self, c: &PassCircumstances) -> Passes {
         let (across, _) = picture_on_ground(&c.camera, c.height);
         Passes {
             spacing: across * (1.0 - self.side_overlap),
@@ -93,6 +138,30 @@ impl Pattern {
     pub(super) fn between_pictures(&self, c: &PassCircumstances) -> f64 {
         let (_, along) = picture_on_ground(&c.camera, c.height);
         along * (1.0 - self.forward_overlap)
+    }
+
+    /// Number of way-points of a pass.
+    fn per_pass(&self) -> usize {
+        match self.cover {
+            CoveredGround::Survey => 2,
+            CoveredGround::Corridor { .. } => self.places.len().max(1),
+        }
+    }
+
+    /// Passes of a route that is made of it.
+    pub(super) fn laid(&self, route: &Route, c: &PassCircumstances) -> LaidPasses {
+        let per_pass = self.per_pass();
+        let now = self.places(c);
+        let is_close =
+            |(at, place): (&WayPoint, &GroundPoint)| at.position.distance(place) < SAME_PLACE;
+        let is_of_now =
+            now.len() == route.way_points.len() && route.way_points.iter().zip(&now).all(is_close);
+        LaidPasses {
+            count: route.way_points.len() / per_pass,
+            spacing: spacing(&route.way_points, per_pass),
+            needed: now.len() / per_pass,
+            is_of_now,
+        }
     }
 
     /// The way-points of the pattern.
@@ -220,5 +289,52 @@ mod tests {
             route.way_points[25].position, there,
             "it lands where it ends"
         );
+    }
+
+    #[test]
+    fn passes_are_told_as_they_lie_and_not_as_they_would_be_laid_now() {
+        let c = circumstances();
+        let pattern = Pattern::new(CoveredGround::Survey, &field(), &c.frame);
+        let mut route = Route::default();
+        let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
+        pattern.apply(&mut route, altitude, &c);
+        let laid = pattern.laid(&route, &c);
+        assert_eq!((laid.count, laid.needed, laid.is_of_now), (7, 7, true));
+        // 300 m in seven strips, of pictures 115.5 m wide.
+        let spacing = laid.spacing.unwrap();
+        assert!((spacing - 300.0 / 7.0).abs() < 1e-6, "{spacing}");
+        assert!((Pattern::overlap(spacing, &c) - 0.629).abs() < 1e-3);
+        // From 50 m they are 57.7 m wide: 23.1 m apart, 13 passes.
+        let low = PassCircumstances {
+            height: 50.0,
+            ..circumstances()
+        };
+        let laid = pattern.laid(&route, &low);
+        assert_eq!((laid.count, laid.needed, laid.is_of_now), (7, 13, false));
+        assert_eq!(laid.spacing, Some(spacing));
+        assert!((Pattern::overlap(spacing, &low) - 0.258).abs() < 1e-3);
+        // Wider turns: as many passes, in another order.
+        let wide = PassCircumstances {
+            radius: 100.0,
+            ..circumstances()
+        };
+        let laid = pattern.laid(&route, &wide);
+        assert_eq!((laid.needed, laid.is_of_now), (7, false));
+    }
+
+    #[test]
+    fn passes_of_a_corridor_are_as_far_apart_as_their_beginnings() {
+        let c = circumstances();
+        let line = [(0.0, 0.0), (500.0, 0.0), (500.0, 500.0)];
+        let line = line.map(|(n, e)| GroundPoint::new(n, e));
+        let cover = CoveredGround::Corridor { width_m: 200.0 };
+        let pattern = Pattern::new(cover, &line, &c.frame);
+        let mut route = Route::default();
+        let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
+        pattern.apply(&mut route, altitude, &c);
+        let laid = pattern.laid(&route, &c);
+        // 46.2 m at most: five passes in 200 m.
+        assert_eq!((laid.count, laid.needed, laid.is_of_now), (5, 5, true));
+        assert!((laid.spacing.unwrap() - 40.0).abs() < 1e-3, "{laid:?}");
     }
 }

@@ -2,7 +2,7 @@ use egui::Key;
 use egui_kittest::kittest::Queryable as _;
 
 use super::super::support::Rig;
-use super::{click, draw, number, planning};
+use super::{choose, click, draw, number, planning, set};
 
 fn command(rig: &mut Rig, words: &str) {
     rig.key_with(egui::Modifiers::COMMAND, Key::K);
@@ -131,4 +131,47 @@ fn the_strip_shows_the_heights_of_the_route() {
     });
     assert_eq!(charts.count(), 1);
     rig.open_tab("Uncertainty");
+}
+
+#[test]
+fn a_survey_that_is_flown_at_half_the_height_takes_twice_the_passes() {
+    let mut rig = planning();
+    command(&mut rig, "survey an area");
+    for (north, east) in [
+        (-140.0, -250.0),
+        (-140.0, 250.0),
+        (100.0, 250.0),
+        (100.0, -250.0),
+    ] {
+        click(&mut rig, north, east);
+    }
+    rig.key(Key::Enter);
+    rig.settle();
+    let high = number(&rig, "/routes/0/way_points/0/altitude");
+    let before = way_points(&rig, 0) / 2;
+    choose(&mut rig, 1);
+    set(&mut rig, "Altitude of the way-point", 0.5 * high);
+    let after = way_points(&rig, 0) / 2;
+    // Strips half as wide: the last one may be left out.
+    assert!(
+        after == 2 * before || after == 2 * before - 1,
+        "{before} {after}"
+    );
+    let state = rig.state();
+    assert_eq!(state["plan"]["routes"][0]["pattern"], true);
+    let all = state["plan"]["routes"][0]["way_points"].as_array().cloned();
+    let is_low = |w: &serde_json::Value| w["altitude"].as_f64() == Some(0.5 * high);
+    assert!(all.expect("way-points").iter().all(is_low));
+    rig.key_with(egui::Modifiers::COMMAND, Key::Z);
+    assert_eq!(way_points(&rig, 0) / 2, before, "one undo step");
+    // Another bank limit says that the passes are laid for wider turns.
+    let stale = "They were laid for another height, camera or bank limit";
+    assert!(rig.harness.query_by_label_contains(stale).is_none());
+    set(&mut rig, "Bank limit", 12.0);
+    rig.harness.get_by_label_contains(stale);
+    rig.harness
+        .get_by_label("Lay the passes anew")
+        .click_accesskit();
+    rig.settle();
+    assert!(rig.harness.query_by_label_contains(stale).is_none());
 }
