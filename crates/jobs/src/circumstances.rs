@@ -3,7 +3,7 @@
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::{FieldView, FixSource, PlannedLandmark, cruise};
 use pilotage_core::training::TrainingPlan;
@@ -28,6 +28,18 @@ pub struct PlanCircumstances {
     pub navigator: NavigatorSettings,
     /// Standard deviation of the position per axis with which landmarks are looked for, metres.
     pub position: f64,
+}
+
+/// Mean airspeed over the legs of a route, m/s: its length over its time. `None` without a leg.
+fn mean_speed(route: &Route) -> Option<f64> {
+    let legs = route.way_points.windows(2);
+    let time = |leg: &[WayPoint]| {
+        let [from, to] = leg else { return 0.0 };
+        let length = from.position.distance(&to.position);
+        length / to.speed.unwrap_or_else(cruise)
+    };
+    let time: f64 = legs.map(time).sum();
+    (time > 0.0).then(|| route.length() / time)
 }
 
 impl PlanCircumstances {
@@ -112,11 +124,10 @@ impl PlanCircumstances {
         way_points: Vec<GroundPoint>,
         count: usize,
     ) -> SuggestOrder {
-        let stated = route.and_then(|route| route.way_points.first()?.speed);
         SuggestOrder {
             map: self.map.clone(),
             view: self.view(),
-            speed: stated.unwrap_or_else(cruise),
+            speed: route.and_then(mean_speed).unwrap_or_else(cruise),
             way_points,
             ground_down: self.ground_down,
             navigator: self.navigator.clone(),
@@ -131,7 +142,6 @@ impl PlanCircumstances {
 #[cfg(test)]
 mod tests {
     use pilotage_core::frames::{Altitude, AltitudeFrame};
-    use pilotage_core::mission::WayPoint;
     use pilotage_core::plan::Proposal;
 
     use super::*;
@@ -151,11 +161,13 @@ mod tests {
         let measured = with.assessment(&landmark);
         let trained = with.training(&landmark, TrainingPlan::default(), None);
         let altitude = Altitude::new(130.0, AltitudeFrame::AboveGround);
+        // A speed is that of the leg which leads to a way-point: 60 s for 600 m, and 30 s for 600 m.
+        let at = |north, speed| WayPoint {
+            speed,
+            ..WayPoint::new(GroundPoint::new(north, 0.0), altitude)
+        };
         let route = Route {
-            way_points: vec![WayPoint {
-                speed: Some(17.0),
-                ..WayPoint::new(GroundPoint::default(), altitude)
-            }],
+            way_points: vec![at(0.0, None), at(600.0, Some(10.0)), at(0.0, Some(20.0))],
             ..Route::default()
         };
         let beside = std::slice::from_ref(&landmark);
@@ -170,7 +182,7 @@ mod tests {
         );
         assert_eq!(
             (proposed.speed, proposed.taken.as_slice()),
-            (17.0, &[bounds][..])
+            (1200.0 / 90.0, &[bounds][..])
         );
         assert!(trained.look_alikes_within >= 40.0, "a box at least");
         let anywhere = with.proposal(&[], None, Vec::new(), 4);
