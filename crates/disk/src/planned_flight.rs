@@ -201,7 +201,7 @@ impl PlannedFlight {
         let usual = Altitude::new(ground.height, AltitudeFrame::AboveGround);
         ground.altitude = flown.map_or(usual, |route| route.way_points[0].altitude);
         if let Some(route) = &route {
-            ground.plan = Some(ground.planned(beside.wind()));
+            ground.plan = Some(ground.planned(beside.wind().unwrap_or_default()));
             ground.fly_along(route);
         }
         Ok(ground)

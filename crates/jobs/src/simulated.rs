@@ -33,13 +33,13 @@ impl FlightSource {
     /// Height at which a first way-point is planned where no flight says another, metres above ground.
     pub const USUAL_HEIGHT: f64 = 120.0;
 
-    /// Mean wind of the flight, as far as it is known before it is flown.
-    pub fn wind(&self) -> Wind {
+    /// Mean wind of the flight, as far as it is known before it is flown; `None` of a recorded flight.
+    pub fn wind(&self) -> Option<Wind> {
         match self {
-            Self::Simulated(options) => scenario_wind(options),
-            Self::Rehearsed(flight) => flight.path.wind,
-            Self::Studied(studied) => studied.flight.wind(),
-            Self::Files(_) | Self::Nothing => Wind::default(),
+            Self::Simulated(options) => Some(scenario_wind(options)),
+            Self::Rehearsed(flight) => Some(flight.path.wind),
+            Self::Studied(studied) => Some(studied.flight.wind()),
+            Self::Files(_) | Self::Nothing => None,
         }
     }
 

@@ -9,8 +9,8 @@ use pilotage_core::simulate::{Scenario, Wind};
 use crate::documents::Documents;
 use pilotage_jobs::{PlanCircumstances, PlannedPath};
 
-/// The mean wind of the open flight.
-pub fn flight_wind(documents: &Documents) -> Wind {
+/// The mean wind of the open flight, if it is known.
+pub fn flight_wind(documents: &Documents) -> Option<Wind> {
     documents.flight.source.wind()
 }
 

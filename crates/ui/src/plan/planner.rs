@@ -47,7 +47,7 @@ use pilotage_jobs::{
 pub struct PlanPreferences {
     /// Standard deviation of the position that is accepted, metres.
     pub limit: f64,
-    /// The wind to plan with; the flight's if `None`.
+    /// The wind to plan with; the flight's if `None`, as far as it is known.
     pub wind: Option<Wind>,
     /// Preferences of the heat map.
     pub heat: HeatPreferences,
@@ -207,11 +207,10 @@ impl Planner {
         self.table.mark(ids);
     }
 
-    /// The wind that is planned with.
+    /// The wind that is planned with: calm where nobody states one and the open flight tells none.
     pub fn wind(&self, documents: &Documents) -> Wind {
-        self.preferences
-            .wind
-            .unwrap_or_else(|| flight_wind(documents))
+        let stated = self.preferences.wind.or_else(|| flight_wind(documents));
+        stated.unwrap_or_default()
     }
 
     /// Order of the measurement of a landmark.

@@ -11,7 +11,7 @@ use super::flown::{camera, way_back};
 use super::legs::legs;
 use super::planner::Planner;
 use super::printing::{AskedPictures, BriefLandmark, Printing};
-use super::route_tab::{assumptions, misled, stopped};
+use super::route_tab::{assumptions, misled, stopped, wind_words};
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::shell::CommandLack;
@@ -233,11 +233,7 @@ impl Planner {
         );
         let mut assumed = vec![
             cruise_words,
-            format!(
-                "Wind from {:03.0}° with {:.1} {speed_unit}.",
-                wind.from.to_degrees().rem_euclid(360.0),
-                wind.speed * speed
-            ),
+            wind_words(self, documents, units),
             format!(
                 "Camera of {} × {} pixels, {:.0}° across.",
                 camera.width,

@@ -8,7 +8,7 @@ use super::PlanCommand;
 use super::actions::ends;
 use super::aircraft::{aircraft, energy_left, tight_legs};
 use super::button::button;
-use super::flown::{pictures_words, way_back};
+use super::flown::{flight_wind, pictures_words, way_back};
 use super::legs::{legs, time_text, totals};
 use super::pattern_card::pattern_card;
 use super::patterns::Pattern;
@@ -306,6 +306,20 @@ fn prediction(
     }
 }
 
+/// Wind that is planned with, in words.
+pub fn wind_words(planner: &Planner, documents: &Documents, units: Units) -> String {
+    if planner.preferences.wind.is_none() && flight_wind(documents).is_none() {
+        return "Calm: nobody stated a wind, and no flight tells one.".to_owned();
+    }
+    let wind = planner.wind(documents);
+    let (factor, unit) = units.speed();
+    format!(
+        "Wind from {:03.0}° with {:.1} {unit}.",
+        wind.from.to_degrees().rem_euclid(360.0),
+        wind.speed * factor
+    )
+}
+
 /// Assumptions of the prediction, in words.
 pub fn assumptions(
     planner: &Planner,
@@ -397,6 +411,7 @@ pub fn stopped(planner: &Planner) -> Option<&'static str> {
 fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     let own = planner.preferences.wind.is_some();
+    let of_flight = flight_wind(documents).is_some();
     let mut wind = planner.wind(documents);
     ui.horizontal(|ui| {
         caption(ui, tokens, "Wind");
@@ -407,9 +422,19 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
                 let (factor, unit) = context.units.speed();
                 let mut speed = wind.speed * factor;
                 let mut from = wind.from.to_degrees().rem_euclid(360.0);
+                let back = if of_flight {
+                    "Use the flight's wind"
+                } else {
+                    "No wind"
+                };
                 if !own {
-                    ui.label(muted(tokens, "as on the flight, from"));
-                } else if icon_button(ui, tokens, Icon::Undo, "Use the flight's wind").clicked() {
+                    let words = if of_flight {
+                        "as on the flight, from"
+                    } else {
+                        "calm unless set, from"
+                    };
+                    ui.label(muted(tokens, words));
+                } else if icon_button(ui, tokens, Icon::Undo, back).clicked() {
                     let command = PlanCommand::SetWind(None);
                     context.commands.push(Command::from(command));
                 }
@@ -475,6 +500,8 @@ fn tested_words(tested: usize, too_large: usize, used: usize, like: &str) -> Str
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::documents::Session;
+    use pilotage_core::simulate::Wind;
 
     #[test]
     fn tested_landmarks_are_counted_as_people_say_it() {
@@ -516,5 +543,27 @@ mod tests {
             told(2, 1, 3),
             "2 of 3 landmarks are tested. 1 does not fit into a picture from this height and counts as never found."
         );
+    }
+
+    #[test]
+    fn calm_is_the_wind_of_no_flight() {
+        let mut documents = Documents::new(&Session::demo());
+        let mut planner = Planner::default();
+        let told = |planner: &Planner, documents: &Documents| {
+            wind_words(planner, documents, Units::Metric)
+        };
+        let flown = told(&planner, &documents);
+        assert!(flown.starts_with("Wind from "), "{flown}");
+        documents.flight.source = FlightSource::Files("log".to_owned());
+        assert_eq!(
+            told(&planner, &documents),
+            "Calm: nobody stated a wind, and no flight tells one."
+        );
+        assert_eq!(planner.wind(&documents), Wind::default());
+        planner.preferences.wind = Some(Wind {
+            speed: 8.0,
+            from: std::f64::consts::FRAC_PI_2,
+        });
+        assert_eq!(told(&planner, &documents), "Wind from 090° with 8.0 m/s.");
     }
 }
