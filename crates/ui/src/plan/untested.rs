@@ -37,6 +37,7 @@ fn holds(a: &UntestedOrder, b: &UntestedOrder) -> bool {
     of.map == like.map
         && of.camera == like.camera
         && of.navigator.detector == like.navigator.detector
+        && of.navigator.sensors == like.navigator.sensors
         && is_about(of.height, like.height)
         && is_about(of.landmark.bounds.width(), like.landmark.bounds.width())
         && a.within.overlaps(&b.within)
@@ -56,6 +57,14 @@ impl Untested {
             boxes => format!(
                 "a box at random on this map, found in {found:.0} % of pictures ({boxes} were tried)"
             ),
+        }
+    }
+
+    /// Forgets what is of another plan than `order`, where nobody may ask anew.
+    pub fn keep_to(&mut self, order: &UntestedOrder) {
+        let is_other = |of: &UntestedOrder| !holds(of, order);
+        if self.asked.is_none() && self.of.as_ref().is_some_and(is_other) {
+            *self = Self::default();
         }
     }
 
@@ -98,5 +107,50 @@ impl Untested {
     /// Statement for journeys: the probability of being found in a picture, and the boxes on which it rests.
     pub fn json(&self) -> serde_json::Value {
         serde_json::json!([self.stated.expected.probability(), self.stated.boxes])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::camera::CameraModel;
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+    use pilotage_core::navigator::NavigatorSettings;
+    use pilotage_jobs::{AssessmentOrder, MapSource};
+
+    fn order(change: impl FnOnce(&mut AssessmentOrder)) -> UntestedOrder {
+        let mut like = AssessmentOrder {
+            map: MapSource::world("countryside"),
+            landmark: UntestedOrder::usual_box(30.0),
+            camera: CameraModel::pinhole(640, 480, 1.0),
+            height: 120.0,
+            navigator: NavigatorSettings::default(),
+            ground_down: 0.0,
+            seed: AssessmentOrder::SEED,
+        };
+        change(&mut like);
+        let map = GroundRect::centered(GroundPoint::default(), 3000.0, 3000.0);
+        UntestedOrder::around(like, &map, [])
+    }
+
+    #[test]
+    fn boxes_tell_of_plans_that_look_at_the_ground_like_that() {
+        let of = order(|_| ());
+        assert!(holds(&of, &order(|like| like.height = 140.0)));
+        assert!(!holds(&of, &order(|like| like.height = 200.0)));
+        let shakier = order(|like| like.navigator.sensors.roll *= 2.0);
+        assert!(!holds(&of, &shakier));
+        let stricter = order(|like| like.navigator.detector.least_score += 0.1);
+        assert!(!holds(&of, &stricter));
+        // Where nobody asks anew, what is of another plan is forgotten.
+        let mut untested = Untested {
+            of: Some(of.clone()),
+            ..Untested::default()
+        };
+        untested.stated.boxes = 24;
+        untested.keep_to(&of);
+        assert_eq!(untested.stated.boxes, 24);
+        untested.keep_to(&shakier);
+        assert_eq!(untested.stated.boxes, 0);
     }
 }

@@ -77,7 +77,11 @@ impl Planner {
         let documents = &*context.documents;
         let may = self.preferences.tests_ahead && context.host.works_ahead();
         let of_web = matches!(documents.map.source, MapSource::Web(_));
-        let order = may.then(|| self.untested_order(documents)).flatten();
+        let order = self.untested_order(documents);
+        if let Some(order) = order.as_ref().filter(|_| !may) {
+            self.untested.keep_to(order);
+        }
+        let order = order.filter(|_| may);
         let is_idle = order.is_some() && self.assessments.is_idle();
         let next = is_idle.then(|| {
             let view = context.map.rect().zip(context.map.screen_from_world());
