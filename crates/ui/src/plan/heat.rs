@@ -100,6 +100,7 @@ impl Heat {
         }
         if self.stopped {
             self.cancel(context);
+            self.forget_others();
         }
         self.paint(blind, context.egui);
         if self.asked.is_some() || self.complete || self.stopped || self.trouble.is_some() {
@@ -113,6 +114,14 @@ impl Heat {
         self.progress = (0.0, "Waiting for a worker".to_owned());
         self.asked = Some(AskedHeatMap { id, order: wanted });
         false
+    }
+
+    /// Forgets the field of another plan, where none of this one follows.
+    fn forget_others(&mut self) {
+        let wanted = self.wanted.as_ref().map(|(wanted, _)| wanted);
+        if self.order() != wanted {
+            (self.field, self.texture, self.painted) = (None, None, None);
+        }
     }
 
     fn cancel(&mut self, context: &mut FeatureContext<'_>) {
@@ -137,7 +146,10 @@ impl Heat {
                 self.asked = Some(asked);
             }
             JobEvent::Finished => self.complete = true,
-            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
+            JobEvent::Failed(why) => {
+                self.trouble = Some(why.clone());
+                self.forget_others();
+            }
             _ => {}
         }
         true

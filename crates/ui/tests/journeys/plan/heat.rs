@@ -1,6 +1,8 @@
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;
 
+use pilotage_jobs::{Job, JobEvent};
+
 use super::{number, planning, type_number};
 
 #[test]
@@ -54,4 +56,25 @@ fn another_uncertainty_is_computed_anew_and_so_are_fixes_from_the_map_alone() {
     rig.settle();
     assert_eq!(fields(&rig), 3);
     rig.harness.get_by_label_contains("map alone, 0 to 1");
+}
+
+#[test]
+fn the_heat_map_of_another_plan_is_not_left_where_that_of_now_fails() {
+    let mut rig = planning();
+    rig.key(Key::H);
+    rig.settle();
+    rig.host().left = Some(|job| matches!(job, Job::Field(_)));
+    rig.open_tab("Ground");
+    type_number(&mut rig, "Uncertainty of the position", "25");
+    rig.settle();
+    let asked = rig.host().jobs.last().cloned();
+    let Some((id, Job::Field(_))) = asked else {
+        panic!("a heat map was asked for, not {asked:?}");
+    };
+    let shown = |rig: &super::Rig| rig.state()["plan"]["heat"]["blind_share"].clone();
+    assert!(shown(&rig).is_number(), "until there is another");
+    let why = "the map cannot be read".to_owned();
+    rig.host().events.push((id, JobEvent::Failed(why)));
+    rig.settle();
+    assert!(shown(&rig).is_null());
 }
