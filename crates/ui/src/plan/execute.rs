@@ -189,6 +189,7 @@ impl Planner {
                     self.way_point = None;
                 }
             }
+            PlanCommand::RenameRoute(name) => documents.rename_route(id, &name),
             PlanCommand::DuplicateRoute => {
                 documents.mission.route = documents.duplicate_route(id).or(Some(id));
             }
@@ -364,7 +365,6 @@ fn change(route: &mut Route, command: &PlanCommand) {
         PlanCommand::ToggleReturn | PlanCommand::ToggleTakeOff | PlanCommand::ToggleLanding => {
             change_ends(route, command);
         }
-        PlanCommand::RenameRoute(name) => route.name.clone_from(name),
         _ => {}
     }
 }

@@ -97,6 +97,14 @@ impl Documents {
         }
     }
 
+    /// Gives a route a name that no other one has.
+    pub fn rename_route(&mut self, id: u32, name: &str) {
+        if route_of(&self.mission, id).is_some_and(|route| route.name != name) {
+            let name = self.free_route_name(name);
+            self.edit_route(id, EditStep::Whole, |route| route.name = name);
+        }
+    }
+
     /// Deletes a route.
     pub fn delete_route(&mut self, id: u32) {
         if route_of(&self.mission, id).is_some() {
@@ -246,6 +254,29 @@ mod tests {
             assert_eq!(Pattern::of(&part), None);
             assert!(part.properties.contains_key("owner"));
         }
+    }
+
+    #[test]
+    fn a_route_that_is_split_or_renamed_has_a_name_of_its_own() {
+        let (mut documents, first) = documents();
+        let copy = documents.duplicate_route(first).unwrap();
+        let name =
+            |documents: &Documents, id| route_of(&documents.mission, id).unwrap().name.clone();
+        documents.rename_route(copy, &name(&documents, first));
+        assert_eq!(name(&documents, copy), "Route 1 2");
+        documents.rename_route(copy, "Home");
+        documents.rename_route(copy, "Home");
+        assert_eq!(name(&documents, copy), "Home");
+        // Both parts of a route that was split before, too.
+        let second = documents.split_route(copy, 1).unwrap();
+        let way_points = route_of(&documents.mission, first)
+            .unwrap()
+            .way_points
+            .clone();
+        documents.edit_route(copy, EditStep::Whole, |route| route.way_points = way_points);
+        let third = documents.split_route(copy, 1).unwrap();
+        assert_eq!(name(&documents, second), "Home, second part");
+        assert_eq!(name(&documents, third), "Home, second part 2");
     }
 
     #[test]
