@@ -5,35 +5,35 @@ const AT_A_TIME = 4;
 
 const underWay = new Map();
 
-/** The bytes of a tile, asked for once however many wait for it. */
+/** A tile as `request` has it, asked for once however many wait for it. */
 function tile(cache, address) {
   const asked = underWay.get(address) ?? request(cache, address).finally(() => underWay.delete(address));
   underWay.set(address, asked);
   return asked;
 }
 
-/** The bytes of a tile, null where the server has none; throws where it cannot be had. */
+/** The bytes of a tile, none of them where the server has none, and whether the server gave them now; throws where it cannot be had. */
 async function request(cache, address) {
   const kept = await cache?.match(address);
-  if (kept) return new Uint8Array(await kept.arrayBuffer());
+  if (kept) return { bytes: new Uint8Array(await kept.arrayBuffer()), isNew: false };
   const answer = await fetch(address, { credentials: "omit", referrerPolicy: "origin" });
-  if (answer.status === 404 || answer.status === 204) return null;
+  if (answer.status === 404 || answer.status === 204) return { bytes: new Uint8Array(0), isNew: true };
   if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`);
   await cache?.put(address, answer.clone());
-  return new Uint8Array(await answer.arrayBuffer());
+  return { bytes: new Uint8Array(await answer.arrayBuffer()), isNew: true };
 }
 
 const open = () => globalThis.caches?.open(CACHE).catch(() => undefined);
 
-/** Tiles at the addresses, null for those that cannot be had, and why the first of these cannot. */
+/** Tiles at the addresses, null for those that cannot be had; why the first of these cannot, and whether the server gave one now. */
 export async function fetchTiles(addresses) {
   const cache = await open();
   let problem = null;
-  const tiles = await Promise.all(addresses.map((address) => tile(cache, address).catch((error) => {
+  const came = await Promise.all(addresses.map((address) => tile(cache, address).catch((error) => {
     problem ??= `${new URL(address).host}: ${navigator.onLine === false ? "there is no network" : error.message}`;
     return null;
   })));
-  return { tiles, problem };
+  return { tiles: came.map((it) => it?.bytes ?? null), problem, isNew: came.some((it) => it?.isNew) };
 }
 
 let download = null;

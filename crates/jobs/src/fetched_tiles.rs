@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use pilotage_core::imagery::web_tiles::{TileNumber, TileStore, TileTemplate, WebTiles};
+use pilotage_core::imagery::web_tiles::{TileLack, TileNumber, TileStore, TileTemplate, WebTiles};
 use pilotage_core::raster::{Raster, Rgba, decode_picture_with_coverage};
 
 use super::WebMap;
@@ -27,7 +27,7 @@ struct FetchedTile {
 }
 
 impl FetchedTiles {
-    /// Keeps a tile; those that were not asked for longest go for it.
+    /// Keeps a tile, without bytes one that the server has not; those that were not asked for longest go for it.
     pub fn keep(&self, address: &str, bytes: Arc<[u8]>) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.clock += 1;
@@ -79,9 +79,18 @@ impl TileStore for Store {
         self.template.side
     }
 
-    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
-        let bytes = self.fetched.get(&self.template.address_of(tile))?;
-        decode_picture_with_coverage(&bytes).ok()
+    fn tile(&self, tile: &TileNumber) -> Result<Option<Raster<Rgba>>, TileLack> {
+        let bytes = self.fetched.get(&self.template.address_of(tile));
+        let bytes = bytes.ok_or(TileLack::Awaited)?;
+        if bytes.is_empty() {
+            return Ok(None);
+        }
+        let pixels = decode_picture_with_coverage(&bytes);
+        pixels.map(Some).map_err(|cause| {
+            let TileNumber { zoom, x, y } = tile;
+            let name = self.name();
+            TileLack::Unreadable(format!("{name}, tile {zoom}/{x}/{y}: {cause}"))
+        })
     }
 }
 

@@ -86,6 +86,7 @@ mod tests {
         let fetched = FetchedTiles::default();
         let open = map.open(&fetched);
         assert!(open.window(&window).pixels().iter().all(|p| p[3] == 0));
+        assert!(!open.window_so_far(&window).1);
         let tile = encode_png(&Picture::filled(256, 256, [10, 200, 30])).unwrap();
         for address in &wanted {
             fetched.keep(address, tile.clone().into());
@@ -96,6 +97,14 @@ mod tests {
                 .iter()
                 .all(|p| *p == [10, 200, 30, 255])
         );
+        assert!(open.window_so_far(&window).1);
+        // Tiles that the server has not are not waited for.
+        let without = FetchedTiles::default();
+        for address in &wanted {
+            without.keep(address, Vec::new().into());
+        }
+        let (nothing, is_whole) = map.open(&without).window_so_far(&window);
+        assert!(is_whole && nothing.pixels().iter().all(|p| p[3] == 0));
     }
 
     #[test]

@@ -62,7 +62,7 @@ extern "C" {
     pub fn store_file(this: &Shell, key: &str, file: &JsValue);
 
     /// Tiles at addresses, from the browser's cache or the web: a promise of an object with `tiles`,
-    /// byte arrays or null, and `problem`, a text or null.
+    /// byte arrays or null, `problem`, a text or null, and `isNew`, whether the web gave one of them.
     #[wasm_bindgen(method, js_name = fetchTiles)]
     pub fn fetch_tiles(this: &Shell, addresses: js_sys::Array) -> js_sys::Promise;
 

@@ -11,6 +11,8 @@ pub struct Fetched {
     pub tiles: Vec<(String, FileContent)>,
     /// Why the first of those that did not come did not, in words.
     pub problem: Option<String>,
+    /// Whether the server gave one of them now.
+    pub is_new: bool,
 }
 
 /// Waits for what `Shell::fetch_tiles` promised for these addresses.
@@ -19,6 +21,7 @@ pub async fn fetched(addresses: Vec<String>, promise: Promise) -> Fetched {
         return Fetched {
             tiles: Vec::new(),
             problem: Some("tiles of the web cannot be fetched here".to_owned()),
+            is_new: false,
         };
     };
     let field = |name: &str| Reflect::get(&came, &name.into()).ok();
@@ -34,5 +37,6 @@ pub async fn fetched(addresses: Vec<String>, promise: Promise) -> Fetched {
             })
             .collect(),
         problem: field("problem").and_then(|text| text.as_string()),
+        is_new: field("isNew").and_then(|it| it.as_bool()) == Some(true),
     }
 }

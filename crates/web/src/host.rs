@@ -94,6 +94,9 @@ impl PageHost {
                 let text = came.problem.clone().unwrap_or_default();
                 inner.pool.say(id, JobEvent::Remark(text));
                 inner.told = came.problem;
+            } else if came.problem.is_none() && came.is_new {
+                // The server answers again: the next time that it does not is news.
+                inner.told = None;
             }
             inner.pool.begin(id, job, came.tiles);
             inner.inbox.context.request_repaint();

@@ -42,7 +42,7 @@ fn archive(format: &'static str) -> Option<(Archive, PmTiles)> {
 
 /// Largest difference of a colour of a tile from that in `theirs`, red, green and blue by pixel.
 fn furthest(archive: &PmTiles, tile: &TileNumber, theirs: &[u8]) -> u8 {
-    let ours = archive.tile(tile).unwrap();
+    let ours = archive.tile(tile).unwrap().unwrap();
     assert_eq!(ours.pixels().len() * 3, theirs.len(), "{tile:?}");
     let pairs = ours.pixels().iter().zip(theirs.chunks_exact(3));
     let differences = pairs.flat_map(|(a, b)| (0..3).map(|i| a[i].abs_diff(b[i])));

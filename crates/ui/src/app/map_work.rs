@@ -13,6 +13,8 @@ use crate::short_map::ShortMap;
 
 /// Interval at which tiles that are not whole are asked for again while the map is made ready, milliseconds.
 const REFRESH: f64 = 900.0;
+/// Interval at which tiles are asked for again that are not whole for another reason, milliseconds.
+const AGAIN: f64 = 10_000.0;
 
 /// Jobs about the map that is shown.
 #[derive(Debug, Default)]
@@ -25,6 +27,8 @@ pub struct MapWork {
     is_declined: bool,
     /// When tiles that are not whole were asked for again, milliseconds.
     refreshed: f64,
+    /// When the map was last made ready, milliseconds.
+    prepared: Option<f64>,
     /// The question what the map is.
     describing: Option<JobId>,
     /// Whether the map is to be fitted to the flight once it is known how far it reaches.
@@ -78,10 +82,12 @@ impl MapWork {
         self.describing = Some(host.start(JobOwner::Map, Job::DescribeMap(order)));
     }
 
-    /// Leaves the map that is shown for another one: nothing of the old one is of use. False if it is that already.
+    /// Leaves the map that is shown for another one: nothing of the old one is of use. False if it is that already,
+    /// of which what stayed empty is asked for again.
     pub fn leave_for(&mut self, map: MapSource, parts: &mut MapParts<'_>) -> bool {
         let documents = &mut *parts.documents;
         if documents.map.source == map && documents.map.info.is_some() {
+            parts.view.tiles.forget_empty();
             return false;
         }
         let tiles = self.tiles.drain().map(|(id, _)| id);
@@ -90,6 +96,7 @@ impl MapWork {
             parts.host.leave(id);
         }
         self.is_declined = false;
+        self.prepared = None;
         documents.map.source = map;
         documents.map.info = None;
         parts.view.tiles.clear();
@@ -106,6 +113,17 @@ impl MapWork {
         let text = "Wide views show what was made of it; closer views are whole.";
         toasts.note(host.now(), "The overview was stopped", text);
         true
+    }
+
+    /// Has tiles that are not whole asked for again from time to time, as those of the web that did not come; whether
+    /// there are such.
+    pub fn try_again(&mut self, view: &mut MapView, now: f64) -> bool {
+        let waits = view.tiles.is_partial() && self.preparing.is_none() && !self.is_declined;
+        if waits && now - self.refreshed >= AGAIN {
+            self.refreshed = now;
+            view.tiles.refresh();
+        }
+        waits
     }
 
     /// Asks for tiles that are looked at, and no longer for those that are not.
@@ -154,8 +172,9 @@ impl MapWork {
             JobEvent::Finished | JobEvent::Cancelled => {
                 self.tiles.remove(&id);
             }
-            JobEvent::Failed(_) => {
-                // An empty tile is not asked for again; the map stays usable without it.
+            JobEvent::Failed(why) => {
+                tell_of_map(&why, parts.toasts, parts.host);
+                // Asked for again once the map is chosen again: it may be too much for the machine.
                 if let Some(key) = self.tiles.remove(&id) {
                     let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
                     tiles.insert(egui, &key.window(), &empty, true);
@@ -203,6 +222,7 @@ impl MapWork {
             }
             JobEvent::Finished => {
                 self.preparing = None;
+                self.prepared = Some(now);
                 tiles.refresh();
             }
             JobEvent::Failed(why) => {
@@ -216,9 +236,12 @@ impl MapWork {
         }
     }
 
-    /// Has the map made ready for wide views, unless that is under way or was stopped.
+    /// Has the map made ready for wide views, unless that is under way, was just done or was stopped.
     fn prepare(&mut self, parts: &mut MapParts<'_>) {
-        if self.preparing.is_some() || self.is_declined {
+        let now = parts.host.now();
+        let is_done = self.prepared.is_some_and(|at| now - at < AGAIN);
+        let is_of_tiles = matches!(parts.documents.map.source, MapSource::Web(_));
+        if self.preparing.is_some() || self.is_declined || is_done || is_of_tiles {
             return;
         }
         let order = PrepareMapOrder(parts.documents.map.source.clone());

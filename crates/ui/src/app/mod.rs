@@ -218,6 +218,9 @@ impl App {
             let (documents, map) = (&self.documents, &self.views.map);
             self.map_work.ask_for_tiles(documents, map, host);
         }
+        if self.map_work.try_again(&mut self.views.map, now) {
+            context.request_repaint_after(std::time::Duration::from_secs(1));
+        }
         let camera = &self.views.camera;
         let (documents, playback) = (&self.documents, &self.playback);
         self.frame_pictures.ask(host, documents, playback, camera);

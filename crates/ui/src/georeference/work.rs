@@ -208,7 +208,8 @@ impl GeoreferencerFeature {
             JobEvent::Failed(_) if self.places.as_ref().is_some_and(|(job, _)| *job == id) => {
                 self.open_without_places(context);
             }
-            JobEvent::Failed(_) => {
+            JobEvent::Failed(why) => {
+                context.trouble("A part of the picture stays empty", why);
                 let place = self.tiles.iter().position(|(job, _)| *job == id);
                 if let Some((_, key)) = place.map(|place| self.tiles.swap_remove(place)) {
                     let empty = Raster::filled(0, 0, [0; 4]);

@@ -143,6 +143,17 @@ impl TileCache {
         self.held.len()
     }
 
+    /// Whether there are tiles that are not whole.
+    pub fn is_partial(&self) -> bool {
+        !self.partial.is_empty()
+    }
+
+    /// Tiles that came empty are asked for again.
+    pub fn forget_empty(&mut self) {
+        self.empty.clear();
+        self.refresh();
+    }
+
     /// More of the map is ready: tiles that are not whole are asked for again.
     pub fn refresh(&mut self) {
         self.refreshes += 1;
@@ -319,6 +330,30 @@ fn paint_textured(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_tile_that_is_not_whole_is_asked_for_again_and_one_of_nothing_only_by_hand() {
+        let context = egui::Context::default();
+        let mut cache = TileCache::default();
+        let key = |east| TileKey {
+            level: 0,
+            north: 0,
+            east,
+        };
+        let nothing = Raster::filled(SIDE, SIDE, [0; 4]);
+        cache.insert(&context, &key(0).window(), &nothing, false);
+        cache.insert(&context, &key(1).window(), &nothing, true);
+        let missing = |cache: &TileCache| [0, 1].map(|east| cache.is_missing(&key(east)));
+        assert_eq!(missing(&cache), [false, false]);
+        assert!(cache.is_partial());
+        cache.refresh();
+        assert_eq!(missing(&cache), [true, false]);
+        cache.forget_empty();
+        assert_eq!(missing(&cache), [true, true]);
+        let pixels = Raster::filled(SIDE, SIDE, [9, 9, 9, 255]);
+        cache.insert(&context, &key(0).window(), &pixels, true);
+        assert!(!cache.is_missing(&key(0)) && !cache.is_partial());
+    }
 
     #[test]
     fn a_tile_is_found_again_by_its_window() {

@@ -1,6 +1,7 @@
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{DescribeMapOrder, FileContent, Job, MapSource, ProvideOrder};
+use pilotage_core::raster::Raster;
+use pilotage_jobs::{DescribeMapOrder, FileContent, Job, JobEvent, MapSource, ProvideOrder};
 
 use super::support::{Ahead, Rig, rig};
 
@@ -55,6 +56,46 @@ fn tiles_of_the_web_become_the_map() {
             if map.template.attribution == "© someone")
     };
     assert!(rig.host().jobs.iter().any(is_of_web));
+}
+
+#[test]
+fn tiles_of_the_web_that_did_not_come_are_asked_for_again_after_a_while() {
+    let mut rig = rig();
+    rig.host().left =
+        Some(|job| matches!(job, Job::Tile(order) if matches!(order.map, MapSource::Web(_))));
+    open(&mut rig, "https://example.org/{z}/{x}/{y}.png");
+    rig.frames(4);
+    let asked = |rig: &mut Rig| -> Vec<_> {
+        let windows = rig.host().jobs.iter().filter_map(|(id, job)| match job {
+            Job::Tile(order) if matches!(order.map, MapSource::Web(_)) => Some((*id, order.window)),
+            _ => None,
+        });
+        windows.collect()
+    };
+    let mut answered = 0;
+    while answered < asked(&mut rig).len() {
+        for (id, window) in asked(&mut rig).split_off(answered) {
+            let pixels = Raster::filled(window.width, window.height, [0; 4]);
+            let tile = JobEvent::Tile {
+                window,
+                pixels,
+                whole: false,
+            };
+            (rig.host().events).extend([(id, tile), (id, JobEvent::Finished)]);
+            answered += 1;
+        }
+        rig.frames(4);
+    }
+    let window = asked(&mut rig)[0].1;
+    let times = |rig: &mut Rig| asked(rig).iter().filter(|it| it.1 == window).count();
+    // At once it is in vain, and no work is begun that would make anything of it ready.
+    assert!(times(&mut rig) <= 2);
+    let is_of_web = |(_, job): &(_, Job)| matches!(job, Job::PrepareMap(order) if matches!(order.0, MapSource::Web(_)));
+    assert!(!rig.host().jobs.iter().any(is_of_web));
+    let before = times(&mut rig);
+    rig.host().now += 10_000.0;
+    rig.frames(6);
+    assert_eq!(times(&mut rig), before + 1);
 }
 
 #[test]

@@ -412,12 +412,16 @@ impl Imagery for GeoTiff {
     }
 
     /// The window without waiting for the coarse pyramid: what is missing of it is transparent.
-    /// Also says whether the window is whole; if not, [`prepare`](Self::prepare) and ask again.
+    /// Also says whether the window is whole; if not, [`prepare`](Self::prepare) and ask again. Bytes that could not
+    /// be had are asked for again, too.
     fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
         let ratio = window.gsd / self.native_gsd();
         let sight = WindowPixels::new(window, &self.placement);
-        self.coarse_window(&sight, ratio, false)
-            .unwrap_or_else(|| (self.window(window), true))
+        self.coarse_window(&sight, ratio, false).unwrap_or_else(|| {
+            let before = self.tiles.unreached();
+            let drawn = self.window(window);
+            (drawn, self.tiles.unreached() == before)
+        })
     }
 
     /// Makes blocks of the coarse pyramid. A file with overviews has none to make.

@@ -1,13 +1,14 @@
 //! `GeoTIFF` files made here, seen through windows.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use proptest::prelude::*;
 
 use super::super::tiff::Compression;
 use super::super::tiff::tests::{Recipe, sample, write};
 use super::*;
-use pilotage_base::bytes::MemoryBytes;
+use pilotage_base::bytes::{ByteSource, MemoryBytes};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::GeoreferencedPicture;
 
@@ -224,6 +225,42 @@ fn a_file_without_a_place_or_with_an_unknown_system_says_what_it_lacks() {
         "{error}"
     );
     assert!(open(write(&recipe, &foreign), utm).is_ok());
+}
+
+/// A file whose server does not answer for a while.
+struct Faltering(MemoryBytes, AtomicBool);
+
+impl ByteSource for Faltering {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+    fn length(&self) -> u64 {
+        self.0.length()
+    }
+    fn read(&self, offset: u64, length: usize) -> Result<Vec<u8>, String> {
+        if self.1.load(Ordering::Relaxed) {
+            return Err("there is no network".to_owned());
+        }
+        self.0.read(offset, length)
+    }
+}
+
+#[test]
+fn a_window_whose_bytes_could_not_be_had_is_not_whole() {
+    let bytes = write(&Recipe::default(), &tags());
+    let bytes = MemoryBytes::new("map.tif", bytes);
+    let source = Arc::new(Faltering(bytes, AtomicBool::new(false)));
+    let file = GeoTiffFile::open(source.clone(), None, None).unwrap();
+    let frame = LocalFrame::new(file.origin().unwrap());
+    let map = GeoTiff::new(file, &frame, MapMemory::default()).unwrap();
+    let window = around(&map, 0.5);
+    source.1.store(true, Ordering::Relaxed);
+    let (nothing, is_whole) = map.window_so_far(&window);
+    assert!(!is_whole && nothing.pixels().iter().all(|p| p[3] == 0));
+    source.1.store(false, Ordering::Relaxed);
+    let (seen, is_whole) = map.window_so_far(&window);
+    assert!(is_whole && seen.pixels().iter().any(|p| p[3] == 255));
+    assert!(map.problems()[0].contains("there is no network"));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Rectangles out of the levels of a TIFF file, through a bounded memory of unpacked tiles.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::super::tiff::{Chunk, TiffError, TiffFile, TiffLayout};
@@ -19,6 +20,8 @@ pub(super) struct ColouredTiles {
     pub colours: Colours,
     kept: RecentValues<TileIndex, Raster<Rgba>>,
     problems: Mutex<Vec<TiffError>>,
+    /// Number of times that the bytes of a tile could not be had.
+    unreached: AtomicUsize,
 }
 
 impl ColouredTiles {
@@ -29,6 +32,7 @@ impl ColouredTiles {
             colours,
             kept: RecentValues::new(most_bytes),
             problems: Mutex::new(Vec::new()),
+            unreached: AtomicUsize::new(0),
         }
     }
 
@@ -38,7 +42,15 @@ impl ColouredTiles {
         problems.clone()
     }
 
+    /// Number of times that the bytes of a tile could not be had, which may be otherwise the next time.
+    pub fn unreached(&self) -> usize {
+        self.unreached.load(Ordering::Relaxed)
+    }
+
     fn remember(&self, problem: TiffError) {
+        if matches!(problem, TiffError::Read { .. }) {
+            self.unreached.fetch_add(1, Ordering::Relaxed);
+        }
         let mut problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);
         if problems.len() < MOST_PROBLEMS && !problems.contains(&problem) {
             problems.push(problem);

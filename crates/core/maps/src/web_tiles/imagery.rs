@@ -1,6 +1,6 @@
 //! Tiles of the web map as imagery.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::TileNumber;
 use pilotage_base::frames::{GroundRect, LocalFrame};
@@ -11,6 +11,19 @@ use pilotage_raster::raster::{Raster, Rgba};
 
 /// Most tiles that are put together for a window.
 const MOST_TILES: u64 = 1024;
+/// Most problems that are remembered.
+const MOST_PROBLEMS: usize = 4;
+
+/// Why a tile that the map has is not shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TileLack {
+    /// It is on its way, or whoever fetches tiles tells what keeps it.
+    Awaited,
+    /// Its bytes could not be had this time, in words.
+    Unreachable(String),
+    /// Its bytes are damaged or of another kind, in words.
+    Unreadable(String),
+}
 
 /// Source of tiles: an archive, or a store that a downloader fills.
 pub trait TileStore: Send + Sync {
@@ -28,8 +41,11 @@ pub trait TileStore: Send + Sync {
         None
     }
 
-    /// The tile, or `None` if it is not there.
-    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>>;
+    /// The tile, `None` if the map leaves it out.
+    ///
+    /// # Errors
+    /// The map has it, or may have it, but it is not to be had or not to be read.
+    fn tile(&self, tile: &TileNumber) -> Result<Option<Raster<Rgba>>, TileLack>;
 }
 
 /// An area of a tiled map, in a world frame.
@@ -39,6 +55,7 @@ pub struct WebTiles {
     area: GroundRect,
     gsd: f64,
     kept: RecentValues<TileNumber, Option<Raster<Rgba>>>,
+    problems: Mutex<Vec<String>>,
 }
 
 impl WebTiles {
@@ -58,6 +75,7 @@ impl WebTiles {
             frame,
             area,
             kept: RecentValues::new(memory),
+            problems: Mutex::default(),
         }
     }
 
@@ -71,32 +89,55 @@ impl WebTiles {
         self.store.zooms()
     }
 
-    fn tile(&self, tile: TileNumber) -> Arc<Option<Raster<Rgba>>> {
-        let made = self.kept.get_or_make(tile, || {
-            let side = self.store.side();
-            let pixels = self
-                .store
-                .tile(&tile)
-                .filter(|p| (p.width(), p.height()) == (side, side));
-            let bytes = pixels.as_ref().map_or(64, |p| p.pixels().len() * 4);
-            // What is not there yet may come: it is asked for again.
-            if pixels.is_some() {
-                Ok((pixels, bytes))
-            } else {
-                Err(())
-            }
-        });
-        made.unwrap_or_default()
+    fn remember(&self, problem: String) {
+        let mut problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);
+        if problems.len() < MOST_PROBLEMS && !problems.contains(&problem) {
+            problems.push(problem);
+        }
     }
 
-    /// Copies the tiles from `first` to `last` beside each other.
-    fn rectangle(&self, first: TileNumber, last: TileNumber) -> Raster<Rgba> {
+    /// The tile as it is shown, `None` if nothing is; an error if it may come when it is asked for again.
+    fn tile(&self, tile: TileNumber) -> Result<Arc<Option<Raster<Rgba>>>, ()> {
+        self.kept.get_or_make(tile, || {
+            let side = self.store.side();
+            let pixels = match self.store.tile(&tile) {
+                Ok(Some(pixels)) if (pixels.width(), pixels.height()) != (side, side) => {
+                    let TileNumber { zoom, x, y } = tile;
+                    let (width, height) = (pixels.width(), pixels.height());
+                    self.remember(format!(
+                        "{}, tile {zoom}/{x}/{y}: {width} × {height} pixels, not {side} × {side}",
+                        self.store.name()
+                    ));
+                    None
+                }
+                Ok(pixels) => pixels,
+                Err(TileLack::Unreadable(why)) => {
+                    self.remember(why);
+                    None
+                }
+                Err(TileLack::Unreachable(why)) => {
+                    self.remember(why);
+                    return Err(());
+                }
+                Err(TileLack::Awaited) => return Err(()),
+            };
+            let bytes = pixels.as_ref().map_or(64, |p| p.pixels().len() * 4);
+            Ok((pixels, bytes))
+        })
+    }
+
+    /// Copies the tiles from `first` to `last` beside each other; also whether none of them is still to come.
+    fn rectangle(&self, first: TileNumber, last: TileNumber) -> (Raster<Rgba>, bool) {
         let side = self.store.side();
         let across = (last.x - first.x + 1) as usize;
         let down = (last.y - first.y + 1) as usize;
         let mut out = Raster::filled(across * side, down * side, [0; 4]);
+        let mut is_whole = true;
         for (x, y) in (first.x..=last.x).flat_map(|x| (first.y..=last.y).map(move |y| (x, y))) {
-            let tile = self.tile(TileNumber { x, y, ..first });
+            let Ok(tile) = self.tile(TileNumber { x, y, ..first }) else {
+                is_whole = false;
+                continue;
+            };
             let Some(pixels) = tile.as_ref() else {
                 continue;
             };
@@ -105,7 +146,7 @@ impl WebTiles {
                 out.row_mut(top + row)[left..][..side].copy_from_slice(pixels.row(row));
             }
         }
-        out
+        (out, is_whole)
     }
 }
 
@@ -152,21 +193,26 @@ impl Imagery for WebTiles {
 
     /// From the coarsest zoom that is fine enough.
     fn window(&self, window: &Window) -> Raster<Rgba> {
+        self.window_so_far(window).0
+    }
+
+    /// The window is not whole while tiles in it are still to come.
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
         let empty = || Raster::filled(window.width, window.height, [0; 4]);
         let rect = window.rect();
         if !rect.overlaps(&self.area) {
-            return empty();
+            return (empty(), true);
         }
         let side = self.store.side();
         let tiles = tiles_for(window, &self.frame, self.store.zooms(), side);
         let Some((first, last)) = tiles else {
-            return empty();
+            return (empty(), true);
         };
-        let pixels = self.rectangle(first, last);
+        let (pixels, is_whole) = self.rectangle(first, last);
         let size = (pixels.width(), pixels.height());
         let placement = Placement::on_globe(first.georeference(side), self.frame, size.0, size.1);
         let Ok(placement) = placement else {
-            return empty();
+            return (empty(), true);
         };
         let part = PyramidRegion {
             pixels: &pixels,
@@ -175,6 +221,12 @@ impl Imagery for WebTiles {
             scale: (1.0, 1.0),
         };
         let per_side = samples_per_side(window.gsd / placement.gsd());
-        WindowPixels::new(window, &placement).draw(&part, per_side)
+        let drawn = WindowPixels::new(window, &placement).draw(&part, per_side);
+        (drawn, is_whole)
+    }
+
+    fn problems(&self) -> Vec<String> {
+        let problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);
+        problems.clone()
     }
 }

@@ -8,7 +8,7 @@ mod template;
 #[cfg(test)]
 mod tests;
 
-pub use imagery::{TileStore, WebTiles, tiles_for};
+pub use imagery::{TileLack, TileStore, WebTiles, tiles_for};
 pub use metadata::ArchiveMetadata;
 pub use number::TileNumber;
 pub use pmtiles::{PmTiles, PmTilesError, TileFormat};

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use flate2::read::GzDecoder;
 
 use super::metadata::ArchiveMetadata;
-use super::{TileNumber, TileStore};
+use super::{TileLack, TileNumber, TileStore};
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame};
 use pilotage_raster::imagery::kept::RecentValues;
@@ -46,7 +46,17 @@ pub enum PmTilesError {
         /// Name of the file.
         file: String,
     },
-    /// The bytes could not be had, or contradict each other.
+    /// The bytes could not be had.
+    #[error("{file}, {place}: {cause}")]
+    Read {
+        /// Name of the file.
+        file: String,
+        /// Header, directory or tile.
+        place: String,
+        /// Error in words.
+        cause: String,
+    },
+    /// The bytes contradict each other, or end too early.
     #[error("{file}, {place}: {cause}; the file is damaged or cut off, fetch it again")]
     Damaged {
         /// Name of the file.
@@ -282,8 +292,21 @@ impl TileStore for PmTiles {
         self.metadata.attribution.as_deref()
     }
 
-    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
-        decode_picture_with_coverage(&self.bytes(tile).ok()??).ok()
+    fn tile(&self, tile: &TileNumber) -> Result<Option<Raster<Rgba>>, TileLack> {
+        let bytes = self.bytes(tile).map_err(|problem| match problem {
+            PmTilesError::Read { .. } => TileLack::Unreachable(problem.to_string()),
+            _ => TileLack::Unreadable(problem.to_string()),
+        })?;
+        let Some(bytes) = bytes else {
+            return Ok(None);
+        };
+        let pixels = decode_picture_with_coverage(&bytes);
+        pixels.map(Some).map_err(|cause| {
+            let TileNumber { zoom, x, y } = tile;
+            let place = format!("tile {zoom}/{x}/{y}");
+            let problem = damaged(self.source.name(), &place, cause.to_string());
+            TileLack::Unreadable(problem.to_string())
+        })
     }
 }
 
@@ -325,7 +348,11 @@ fn read(
     }
     let bytes = source
         .read(offset, length as usize)
-        .map_err(|cause| damaged(source.name(), place, cause))?;
+        .map_err(|cause| PmTilesError::Read {
+            file: source.name().to_owned(),
+            place: place.to_owned(),
+            cause,
+        })?;
     if bytes.len() as u64 == length {
         Ok(bytes)
     } else {

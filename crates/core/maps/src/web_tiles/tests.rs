@@ -1,7 +1,8 @@
 //! Tiles made here.
 
+use std::collections::BTreeSet;
 use std::io::Write;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use flate2::{Compression, write::GzEncoder};
 use proptest::prelude::*;
@@ -92,12 +93,83 @@ impl TileStore for Places {
     fn side(&self) -> usize {
         256
     }
-    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
+    fn tile(&self, tile: &TileNumber) -> Result<Option<Raster<Rgba>>, TileLack> {
         let georeference = tile.georeference(256);
-        Some(Raster::from_fn(256, 256, |x, y| {
+        Ok(Some(Raster::from_fn(256, 256, |x, y| {
             let (x, y) = (x as f64 + 0.5, y as f64 + 0.5);
             shade(&georeference.ground_at(&self.frame, x, y), self.wave)
-        }))
+        })))
+    }
+}
+
+/// Tiles of one answer each: the first time the one, then the other.
+struct Late {
+    answers: [Result<Option<Raster<Rgba>>, TileLack>; 2],
+    asked: Mutex<BTreeSet<TileNumber>>,
+}
+
+impl TileStore for Late {
+    fn name(&self) -> &'static str {
+        "late"
+    }
+    fn zooms(&self) -> (u8, u8) {
+        (17, 17)
+    }
+    fn side(&self) -> usize {
+        256
+    }
+    fn tile(&self, tile: &TileNumber) -> Result<Option<Raster<Rgba>>, TileLack> {
+        let is_first = self.asked.lock().unwrap().insert(*tile);
+        self.answers[usize::from(!is_first)].clone()
+    }
+}
+
+/// A window of one pixel, looked at twice: whether it is whole and covered each time, and the problems told in all.
+fn looked_twice(
+    answers: [Result<Option<Raster<Rgba>>, TileLack>; 2],
+) -> ([(bool, bool); 2], usize) {
+    let frame = LocalFrame::new(Geodetic::from_degrees(MIDDLE.0, MIDDLE.1, 0.0));
+    let area = GroundRect::centered(GroundPoint::default(), 3000.0, 3000.0);
+    let asked = Mutex::default();
+    let map = WebTiles::new(Box::new(Late { answers, asked }), frame, area, 64 << 20);
+    let window = Window::covering(&GroundRect::centered(GroundPoint::default(), 1.0, 1.0), 1.0);
+    let seen = [(); 2].map(|()| {
+        let (pixels, is_whole) = map.window_so_far(&window);
+        (is_whole, pixels.get(0, 0)[3] == 255)
+    });
+    (seen, map.problems().len())
+}
+
+#[test]
+fn a_window_is_whole_once_no_tile_of_it_is_still_to_come() {
+    let pixels = |side| Ok(Some(Raster::filled(side, side, [9, 9, 9, 255])));
+    let why = || "a.pmtiles, tile: no network".to_owned();
+    let (nothing, shown) = ((true, false), (true, true));
+    for (first, then, seen, told) in [
+        (
+            Err(TileLack::Awaited),
+            pixels(256),
+            [(false, false), shown],
+            0,
+        ),
+        (
+            Err(TileLack::Unreachable(why())),
+            pixels(256),
+            [(false, false), shown],
+            1,
+        ),
+        // What the map leaves out or spoils does not get better, and is not asked for again.
+        (Ok(None), pixels(256), [nothing; 2], 0),
+        (
+            Err(TileLack::Unreadable(why())),
+            pixels(256),
+            [nothing; 2],
+            1,
+        ),
+        (pixels(512), pixels(256), [nothing; 2], 1),
+    ] {
+        let case = format!("{:?}", first.as_ref().err());
+        assert_eq!(looked_twice([first, then]), (seen, told), "{case}");
     }
 }
 
@@ -270,7 +342,7 @@ fn every_tile_of_an_archive_is_found_also_behind_a_leaf() {
     for zoom in 1..=2 {
         for x in 0..1 << zoom {
             for y in 0..1 << zoom {
-                let pixels = archive.tile(&tile(zoom, x, y)).unwrap();
+                let pixels = archive.tile(&tile(zoom, x, y)).unwrap().unwrap();
                 let expected = [zoom * 50, x as u8 * 40, y as u8 * 40, 255];
                 assert_eq!(pixels.get(3, 3), expected, "{zoom}/{x}/{y}");
             }
@@ -278,6 +350,22 @@ fn every_tile_of_an_archive_is_found_also_behind_a_leaf() {
     }
     assert_eq!(archive.bytes(&tile(3, 0, 0)), Ok(None));
     assert_eq!(archive.bytes(&tile(0, 0, 0)), Ok(None));
+}
+
+#[test]
+fn tiles_beyond_the_end_of_an_archive_that_was_cut_off_are_told() {
+    let mut bytes = archive();
+    bytes.truncate(bytes.len() - 200);
+    let archive = open(bytes).unwrap();
+    // The curve ends in the north-east.
+    assert!(archive.tile(&tile(2, 0, 0)).unwrap().is_some());
+    let Err(TileLack::Unreadable(why)) = archive.tile(&tile(2, 3, 0)) else {
+        panic!("a tile beyond the end");
+    };
+    assert!(
+        why.starts_with("map.pmtiles, tile: ") && why.ends_with("fetch it again"),
+        "{why}"
+    );
 }
 
 #[test]
