@@ -451,10 +451,8 @@ fn tile(
         return Err(format!("a picture of {pixels:.0} pixels; choose a larger --gsd").into());
     }
     let picture = map.window(&Window::covering(&rect, gsd));
-    if let OpenMap::GeoTiff(map) = &map {
-        for problem in map.problems() {
-            eprintln!("note: {problem}");
-        }
+    for problem in map.problems() {
+        eprintln!("note: {problem}");
     }
     crate::files::write_whole(out, encode_png_with_coverage(&picture)?)?;
     println!(

@@ -167,6 +167,35 @@ fn a_tile_cut_out_of_a_picture_has_its_pixels() {
 }
 
 #[test]
+fn parts_of_a_map_that_cannot_be_read_are_told_whatever_kind_the_map_is_of() {
+    let folder = Folder::new("map-damaged");
+    folder.write("area.pmtiles", archive_of_one_tile(&[7; 200]));
+    // The strip ends beyond the end of the file.
+    let mut cut = tiff(false);
+    let count = cut
+        .windows(4)
+        .position(|word| word == [17, 1, 4, 0])
+        .expect("tag 273");
+    cut[count + 8..count + 12].copy_from_slice(&9_000_000_u32.to_le_bytes());
+    folder.write("part.tif", cut);
+    folder.write(
+        "corners.csv",
+        "file,north,west,south,east\npart.tif,0.001,0,0,0.001\n",
+    );
+    for (map, place) in [
+        ("area.pmtiles", "tile 0/0/0"),
+        ("corners.csv", "part.tif, "),
+    ] {
+        let done = folder.map(&["tile", map, "--gsd", "20", "--out", "part.png"]);
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert!(
+            said.contains("note: ") && said.contains(place),
+            "{map}: {said}"
+        );
+    }
+}
+
+#[test]
 fn every_kind_of_world_file_is_found_beside_its_kind_of_picture() {
     let folder = Folder::new("map-world-files");
     let picture = Picture::from_fn(WIDTH as usize, HEIGHT as usize, shade);
