@@ -16,6 +16,8 @@ use serde_json::{Map, Value};
 const WORLD_FILES: [&str; 11] = [
     ".jgw", ".jpgw", ".jpegw", ".pgw", ".pngw", ".tfw", ".tifw", ".tiffw", ".wpw", ".webpw", ".wld",
 ];
+/// Endings of pictures that have a world file of their own kind.
+const PICTURES: [&str; 6] = ["jpg", "jpeg", "png", "tif", "tiff", "webp"];
 /// Endings of georeferences in JSON. Behind a picture's own ending such a file may be anything: photo services put what they
 /// know of `a.jpg` into `a.jpg.json`.
 const GEOREFERENCES: [&str; 4] = [
@@ -28,19 +30,47 @@ const GEOREFERENCES: [&str; 4] = [
 /// Members of a georeference in JSON; an object with none of them is something else.
 const MEMBERS: [&str; 5] = ["plane_from_pixel", "origin_lat", "origin_lon", "R", "T"];
 
+/// Ending of a picture's name, in small letters and without the dot.
+fn ending_of(picture: &str) -> String {
+    let ending = picture.rsplit_once('.').map_or("", |(_, ending)| ending);
+    ending.to_lowercase()
+}
+
+/// Endings of the world files of pictures with that ending: its first and last letter with a w, or all of it.
+fn own_world_files(ending: &str) -> [String; 2] {
+    let mut letters = ending.chars();
+    let first = letters.next();
+    let ends: String = first.into_iter().chain(letters.next_back()).collect();
+    [format!(".{ends}w"), format!(".{ending}w")]
+}
+
+/// Endings of world files of a picture, its own kind first, then the one for all kinds, last those of other kinds.
+fn world_files_of(picture: &str) -> Vec<String> {
+    let own = own_world_files(&ending_of(picture));
+    let mut all = WORLD_FILES.map(str::to_owned);
+    all.sort_by_key(|ending| (!own.contains(ending), ending != ".wld"));
+    all.to_vec()
+}
+
+/// Whether a world file with that ending is that of another picture, which lies beside `picture`: `has` says which endings
+/// of pictures there are.
+fn is_of_another(world_file: &str, picture: &str, has: impl Fn(&str) -> bool) -> bool {
+    let is_own = |of: &str| own_world_files(of).iter().any(|it| it == world_file);
+    !is_own(&ending_of(picture)) && PICTURES.iter().any(|of| is_own(of) && has(of))
+}
+
 /// Those of `pictures` that have a world file beside them among all `names` of files, in any letters.
 pub fn with_world_file(names: &[String], pictures: &[String]) -> Vec<String> {
-    let names = names.iter().map(|name| name.to_lowercase());
-    let stems: HashSet<String> = names
-        .filter_map(|name| {
-            let mut stems = WORLD_FILES.iter().filter_map(|it| name.strip_suffix(it));
-            stems.next().map(str::to_owned)
-        })
-        .collect();
+    let names: HashSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let is_placed = |picture: &&String| {
         let picture = picture.to_lowercase();
         let stem = picture.rsplit_once('.').map_or("", |(stem, _)| stem);
-        stems.contains(stem) || stems.contains(&picture)
+        let has = |of: &str| names.contains(&format!("{stem}.{of}"));
+        WORLD_FILES.iter().any(|ending| {
+            names.contains(&format!("{picture}{ending}"))
+                || names.contains(&format!("{stem}{ending}"))
+                    && !is_of_another(ending, &picture, has)
+        })
     };
     pictures.iter().filter(is_placed).cloned().collect()
 }
@@ -55,7 +85,8 @@ pub(crate) fn place_beside(
         return Ok(Some((picture.to_owned(), place)));
     }
     let sides = SideFiles::of(files, picture);
-    let world_file = WORLD_FILES.iter().find_map(|ending| sides.find(ending));
+    let world_files = world_files_of(picture);
+    let world_file = world_files.iter().find_map(|it| sides.world_file(it));
     let stated =
         world_file.or_else(|| (GEOREFERENCES.iter()).find_map(|ending| sides.georeference(ending)));
     let (side, place) = if let Some((side, bytes)) = stated {
@@ -182,6 +213,14 @@ impl<'a> SideFiles<'a> {
     fn find(&self, ending: &str) -> Option<(String, Vec<u8>)> {
         let found = self.in_place(ending);
         found.or_else(|| self.with_ending(self.picture, ending))
+    }
+
+    /// The same, unless it is the world file of another picture.
+    fn world_file(&self, ending: &str) -> Option<(String, Vec<u8>)> {
+        let found = self.find(ending)?;
+        let (stem, _) = self.picture.rsplit_once('.')?;
+        let has = |of: &str| self.name_with_ending(stem, &format!(".{of}")).is_some();
+        (!is_of_another(ending, self.picture, has)).then_some(found)
     }
 
     /// The same of the one that has `ending` in place of the picture's.

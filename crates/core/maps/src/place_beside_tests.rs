@@ -5,7 +5,7 @@ use pilotage_base::frames::{Geodetic, LocalFrame, ReferenceSystem};
 use pilotage_raster::imagery::Imagery as _;
 use pilotage_raster::raster::{Picture, encode_png};
 
-use crate::place_beside::mask_beside;
+use crate::place_beside::{mask_beside, with_world_file};
 use crate::{MapOptions, OpenMap, open_map_with};
 
 /// Half a metre a pixel around the central meridian of a UTM zone.
@@ -51,6 +51,50 @@ fn side_files_are_found_in_capitals_and_in_any_letters() {
         );
         assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-6, "{picture}");
     }
+}
+
+/// As GDAL 3.9 places them: the whole map and a copy of a quarter of its size, each with a world file.
+#[test]
+fn a_picture_is_placed_by_the_world_file_of_its_own_kind() {
+    const REDUCED: &str = "2\n0\n0\n-2\n500001\n3999999.25\n";
+    let beside = [("map.pgw", UTM), ("map.jgw", REDUCED), ("map.wld", REDUCED)];
+    let map = open(&beside, "map.png", &in_zone_17()).unwrap();
+    assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-6);
+    let map = open(&beside, "map.jpg", &in_zone_17()).unwrap();
+    assert!((map.native_gsd() - 2.0 / 0.9996).abs() < 1e-6);
+    let beside = [("map.JGW", REDUCED), ("map.PNGW", UTM)];
+    let map = open(&beside, "map.PNG", &in_zone_17()).unwrap();
+    assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-6);
+    // One of another kind will do, unless it is that of another picture.
+    let map = open(&[("map.jgw", REDUCED)], "map.png", &in_zone_17()).unwrap();
+    assert!((map.native_gsd() - 2.0 / 0.9996).abs() < 1e-6);
+    let beside = [("map.jgw", REDUCED), ("map.JPG", "")];
+    let error = open(&beside, "map.png", &in_zone_17()).err().unwrap();
+    assert!(error.contains("does not say where it lies"), "{error}");
+}
+
+#[test]
+fn pictures_with_a_world_file_are_those_that_it_places() {
+    let names = |list: &[&str]| {
+        list.iter()
+            .map(|name| (*name).to_owned())
+            .collect::<Vec<_>>()
+    };
+    let all = names(&[
+        "a.jpg",
+        "a.png",
+        "a.jgw",
+        "b.PNG",
+        "b.wld",
+        "c.jpg",
+        "c.pgw",
+        "d.jpeg",
+        "d.jpeg.jgw",
+        "e.jpg",
+    ]);
+    let pictures = names(&["a.jpg", "a.png", "b.PNG", "c.jpg", "d.jpeg", "e.jpg"]);
+    let placed = with_world_file(&all, &pictures);
+    assert_eq!(placed, names(&["a.jpg", "b.PNG", "c.jpg", "d.jpeg"]));
 }
 
 #[test]
