@@ -30,6 +30,7 @@ pub(super) const FOCAL_LENGTH: u16 = 0x920a;
 pub(super) const FOCAL_PLANE_X: u16 = 0xa20e;
 pub(super) const FOCAL_PLANE_UNIT: u16 = 0xa210;
 pub(super) const PIXEL_WIDTH: u16 = 0xa002;
+pub(super) const PIXEL_HEIGHT: u16 = 0xa003;
 pub(super) const FOCAL_LENGTH_35: u16 = 0xa405;
 pub(super) const LATITUDE_REF: u16 = 1;
 pub(super) const LATITUDE: u16 = 2;

@@ -182,6 +182,8 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
     };
     let dji = |name: &str| xmp.number(&[&format!("drone-dji:{name}")]);
     let millimetres = |value: f64| value / 1e3;
+    let [x, y] = ["X", "Y"].map(|axis| positive(dji(&format!("CalibratedOpticalCenter{axis}"))));
+    let reduction = reduction(&exif.photo, (width, height), x.zip(y));
     let (gimbal, is_roll_about_top) = gimbal(xmp);
     let aircraft = aircraft(xmp);
     let is_zero = |a: &Attitude| [a.roll, a.pitch, a.yaw].iter().all(|angle| *angle == 0.0);
@@ -204,8 +206,8 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
         direction: direction(&exif.gps),
         focal_length: positive(exif.photo.real(exif::FOCAL_LENGTH)).map(millimetres),
         focal_length_35: positive(exif.photo.real(exif::FOCAL_LENGTH_35)).map(millimetres),
-        pixel_pitch: pixel_pitch(&exif.photo, width),
-        calibrated_focal: positive(dji("CalibratedFocalLength")),
+        pixel_pitch: pixel_pitch(&exif.photo).map(|pitch| pitch / reduction),
+        calibrated_focal: positive(dji("CalibratedFocalLength")).map(|focal| focal * reduction),
         orientation: image
             .whole(exif::ORIENTATION)
             .filter(|o| (1..=8).contains(o))
@@ -564,8 +566,8 @@ fn direction(gps: &ExifDirectory) -> Option<f64> {
         .map(f64::to_radians)
 }
 
-/// Distance between pixels of the stored picture, which may be smaller than the one that was taken.
-fn pixel_pitch(photo: &ExifDirectory, width: usize) -> Option<f64> {
+/// Distance between pixels of the picture as it was taken.
+fn pixel_pitch(photo: &ExifDirectory) -> Option<f64> {
     let per_unit = positive(photo.real(exif::FOCAL_PLANE_X))?;
     let unit = match photo.whole(exif::FOCAL_PLANE_UNIT).unwrap_or(2) {
         2 => 0.0254,
@@ -574,11 +576,38 @@ fn pixel_pitch(photo: &ExifDirectory, width: usize) -> Option<f64> {
         5 => 1e-6,
         _ => return None,
     };
-    let taken = photo
-        .whole(exif::PIXEL_WIDTH)
-        .filter(|w| *w > 0)
-        .unwrap_or(width as u64);
-    Some(unit / per_unit * taken as f64 / width as f64)
+    Some(unit / per_unit)
+}
+
+/// Size of the stored picture over that of the one that was taken, which programs that make photos smaller leave in EXIF, or
+/// the maker's calibration tells by the picture's middle. One of another shape was cut out, and its pixels are as they were.
+fn reduction(
+    photo: &ExifDirectory,
+    (width, height): (usize, usize),
+    calibrated_middle: Option<(f64, f64)>,
+) -> f64 {
+    let side = |tag| photo.whole(tag).filter(|side| *side > 0);
+    let (long, short) = (width.max(height) as f64, width.min(height) as f64);
+    let by_exif = match [exif::PIXEL_WIDTH, exif::PIXEL_HEIGHT].map(side) {
+        [Some(taken), None] => width as f64 / taken as f64,
+        [Some(one), Some(other)] => {
+            let (taken_long, taken_short) = (one.max(other) as f64, one.min(other) as f64);
+            let by_long = long / taken_long;
+            let is_alike = (short - by_long * taken_short).abs() <= 1.0;
+            if is_alike { by_long } else { 1.0 }
+        }
+        [None, _] => 1.0,
+    };
+    // Lenses sit a few hundredths of the sides beside the middle: less is none.
+    let is_smaller = |it: &f64| !(0.9..1.1).contains(it);
+    let by_middle = calibrated_middle.and_then(|(x, y)| {
+        let [by_x, by_y] = [width as f64 / (2.0 * x), height as f64 / (2.0 * y)];
+        (is_smaller(&by_x) && !is_smaller(&(by_x / by_y))).then_some(by_x)
+    });
+    match by_middle {
+        Some(by_middle) if !is_smaller(&by_exif) => by_middle,
+        _ => by_exif,
+    }
 }
 
 /// The program that changed a photo later than it was taken.

@@ -116,6 +116,73 @@ pub(super) fn files(photos: &[(&str, Vec<u8>)]) -> Arc<dyn FileSet> {
     Arc::new(MemoryFiles(photos.collect()))
 }
 
+/// Focal length in pixels, as calibrated and by the sensor's pixels, of a TIFF of that size which was taken with 5472 by
+/// 3648 pixels, by what EXIF says of that and the middle that the maker calibrated.
+fn focal_lengths(size: [u32; 2], taken: Option<[u32; 2]>, middle: Option<[f64; 2]>) -> [f64; 2] {
+    let long = |tag: u16, value: u32| (tag, 4, 1, value.to_le_bytes().to_vec());
+    let middle = middle.map_or_else(String::new, |[x, y]| {
+        format!(
+            "drone-dji:CalibratedOpticalCenterX=\"{x}\" drone-dji:CalibratedOpticalCenterY=\"{y}\""
+        )
+    });
+    let xmp = format!(
+        "<x:xmpmeta><rdf:Description drone-dji:CalibratedFocalLength=\"3666.67\" {middle}/></x:xmpmeta>"
+    );
+    let pointers = |photo: u32| {
+        [
+            long(exif::WIDTH, size[0]),
+            long(exif::HEIGHT, size[1]),
+            (exif::XMP, 1, xmp.len() as u32, xmp.clone().into_bytes()),
+            long(0x8769, photo),
+        ]
+    };
+    let at = 8 + directory(8, &pointers(0)).len();
+    let mut of_photo = vec![(exif::FOCAL_LENGTH, 5, 1, ratio(&[(88, 10)]))];
+    if let Some([width, height]) = taken {
+        of_photo.extend([
+            long(exif::PIXEL_WIDTH, width),
+            long(exif::PIXEL_HEIGHT, height),
+        ]);
+    }
+    // 4166.67 pixels to the centimetre are 2.4 µm each.
+    of_photo.push((exif::FOCAL_PLANE_X, 5, 1, ratio(&[(12_500, 3)])));
+    of_photo.push((exif::FOCAL_PLANE_UNIT, 3, 1, 3_u16.to_le_bytes().to_vec()));
+    let image = directory(8, &pointers(at as u32));
+    let bytes = [b"II*\0\x08\0\0\0", &*image, &*directory(at, &of_photo)].concat();
+    let photo = read_photo(&MemoryBytes::new("a.tif", bytes)).unwrap();
+    let by_pitch = photo.focal_length.unwrap() / photo.pixel_pitch.unwrap();
+    [photo.calibrated_focal.unwrap(), by_pitch]
+}
+
+#[test]
+fn a_photo_that_was_made_smaller_has_the_focal_length_in_its_own_pixels() {
+    let taken = Some([5472, 3648]);
+    let middle = Some([2736.0, 1824.0]);
+    // 3666.67 px, and 8.8 mm of 2.4 µm a pixel; a quarter of both in a picture of a quarter of the size.
+    let whole = [3666.67, 3666.67];
+    let quarter = [916.67, 916.67];
+    for (size, taken, middle, expected) in [
+        ([5472, 3648], taken, middle, whole),
+        ([5472, 3648], None, Some([2650.0, 1850.0]), whole),
+        ([1368, 912], taken, None, quarter),
+        // Turned to stand upright.
+        ([912, 1368], taken, None, quarter),
+        // The program told EXIF of the new size.
+        ([1368, 912], Some([1368, 912]), middle, quarter),
+        ([1368, 912], None, middle, quarter),
+        // Cut out of the picture as it was.
+        ([4000, 1000], taken, middle, whole),
+    ] {
+        let found = focal_lengths(size, taken, middle);
+        for (found, expected) in found.iter().zip(expected) {
+            assert!(
+                (found - expected).abs() < 0.01,
+                "{size:?} {taken:?}: {found}"
+            );
+        }
+    }
+}
+
 #[test]
 fn a_photo_says_when_and_where_it_was_taken() {
     let bytes = photo("30", "25", 10, &gimbal(90.0, -90.0));
