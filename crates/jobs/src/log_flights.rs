@@ -59,7 +59,7 @@ pub fn with_pictures(
         mission: None,
     };
     match add_pictures(&mut flight, files) {
-        Ok(Some(source)) => (open(flight, source), None, Vec::new()),
+        Ok(Some(found)) => (open(flight, found.frames), None, found.notes),
         Ok(None) => {
             let placed = add_photos(log, &mut flight, files);
             let (source, notes) = placed.map_or((None, Vec::new()), |p| (p.frames, p.notes));

@@ -35,6 +35,14 @@ pub enum BesideLogError {
     },
 }
 
+/// Pictures beside a log.
+pub struct PicturesBesideLog {
+    /// Pictures of the flight.
+    pub frames: Box<dyn FrameSource>,
+    /// Notes on other tables of pictures that were left out.
+    pub notes: Vec<String>,
+}
+
 /// Puts the pictures beside a log into its flight: those that the table [`PICTURE_TABLE`] names, with their
 /// times in seconds since the first moment of the log. `None` if there is no such table.
 ///
@@ -45,25 +53,69 @@ pub enum BesideLogError {
 pub fn add_pictures(
     flight: &mut Flight,
     files: &Arc<dyn FileSet>,
-) -> Result<Option<Box<dyn FrameSource>>, BesideLogError> {
+) -> Result<Option<PicturesBesideLog>, BesideLogError> {
     let (first, _) = flight.span();
-    let frames = pictures_counted_from(first, flight, files)?;
-    Ok(frames.map(|frames| Box::new(frames) as Box<dyn FrameSource>))
+    let (frames, notes) = pictures_counted_from(first, None, flight, files)?;
+    Ok(frames.map(|frames| PicturesBesideLog {
+        frames: Box::new(frames),
+        notes,
+    }))
 }
 
-/// The same with the table's times counted from `zero` of the flight, seconds.
+/// Film whose pictures a table has, as the page names the folder that it puts them into: `a.MP4.frames`.
+fn film_of(table: &str) -> Option<&str> {
+    folder_of(table).strip_suffix(".frames")
+}
+
+/// Name of a file without its ending, in small letters, with its folder and without.
+fn stems(name: &str) -> [String; 2] {
+    let name = name.to_lowercase();
+    let file = name.rsplit('/').next().unwrap_or(&name);
+    let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    [joined(folder_of(&name), stem), stem.to_owned()]
+}
+
+/// The table of pictures that belongs to `film`, which may lie in another folder: one that names no film will do.
+/// Of a flight of no film it is the first.
+fn table_of<'a>(film: Option<&str>, tables: &'a [String]) -> Option<&'a String> {
+    let Some(film) = film.map(stems) else {
+        return tables.first();
+    };
+    let same = |place: usize| {
+        let is_same = |table: &&String| {
+            film_of(table).is_some_and(|other| stems(other)[place] == film[place])
+        };
+        tables.iter().find(is_same)
+    };
+    same(0)
+        .or_else(|| same(1))
+        .or_else(|| tables.iter().find(|table| film_of(table).is_none()))
+}
+
+/// The same with the table's times counted from `zero` of the flight, seconds; of a flight that a film, or what was written
+/// beside it, tells of, the pictures of that film. Also notes on tables that were left out.
 pub(crate) fn pictures_counted_from(
     zero: f64,
+    film: Option<&str>,
     flight: &mut Flight,
     files: &Arc<dyn FileSet>,
-) -> Result<Option<FolderFrames>, BesideLogError> {
+) -> Result<(Option<FolderFrames>, Vec<String>), BesideLogError> {
     let is_table = |name: &String| name.rsplit('/').next() == Some(PICTURE_TABLE);
-    let Some(table) = files.names().into_iter().find(is_table) else {
-        return Ok(None);
+    let mut tables = files.names();
+    tables.retain(is_table);
+    let chosen = table_of(film, &tables);
+    let others = tables.iter().filter(|table| Some(*table) != chosen);
+    let notes = others.map(|other| match film_of(other) {
+        Some(film) => format!("the pictures of {film} were left out: they are of another film"),
+        None => format!("the pictures of {other} were left out: there are others"),
+    });
+    let notes = notes.collect();
+    let Some(table) = chosen else {
+        return Ok((None, notes));
     };
-    let bytes = files.read(&table).unwrap_or_default();
-    let mut found = times_and_names(&table, &bytes)?;
-    let has_file = |name: &str| files.source(&joined(folder_of(&table), name)).is_some();
+    let bytes = files.read(table).unwrap_or_default();
+    let mut found = times_and_names(table, &bytes)?;
+    let has_file = |name: &str| files.source(&joined(folder_of(table), name)).is_some();
     found.retain(|(_, name)| has_file(name));
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     let names: Vec<String> = found.iter().map(|(_, name)| name.clone()).collect();
@@ -75,7 +127,7 @@ pub(crate) fn pictures_counted_from(
             stored_turn: 0.0,
         })
         .collect();
-    let folders = vec![folder_of(&table).to_owned()];
+    let folders = vec![folder_of(table).to_owned()];
     let mut source = FolderFrames::new(files.clone(), folders, "", names);
     if let Ok(picture) = source.picture(0) {
         flight.camera = CameraModel {
@@ -83,7 +135,7 @@ pub(crate) fn pictures_counted_from(
             ..CameraModel::pinhole(picture.width(), picture.height(), LIKELY_FIELD)
         };
     }
-    Ok(Some(source))
+    Ok((Some(source), notes))
 }
 
 /// Seconds and file of each line.
@@ -175,7 +227,19 @@ mod tests {
         assert_eq!(times, [0.5, 2.5]);
         assert_eq!(flight.frames[1].name, "b.png");
         assert_eq!((flight.camera.width, flight.camera.height), (80, 60));
-        assert_eq!(source.picture(1).unwrap().width(), 80);
+        assert_eq!(source.frames.picture(1).unwrap().width(), 80);
+        assert!(source.notes.is_empty());
+    }
+
+    #[test]
+    fn of_several_films_beside_a_log_the_first_is_taken_and_the_others_are_told() {
+        let table = b"time,file\n0.5,a.png\n".to_vec();
+        let files = ["a.MP4.frames/frames.csv", "b.MP4.frames/frames.csv"];
+        let files = files.map(|name| (name.to_owned(), table.clone()));
+        let files: Arc<dyn FileSet> = Arc::new(MemoryFiles(files.into()));
+        let found = add_pictures(&mut flight(), &files).unwrap().unwrap();
+        let told = "the pictures of b.MP4 were left out: they are of another film";
+        assert_eq!(found.notes, [told]);
     }
 
     #[test]

@@ -64,14 +64,16 @@ pub(crate) fn with_frames_of_film(
     files: &Arc<dyn FileSet>,
 ) -> Result<FlightFolder, FolderError> {
     let zero = folder.flight.span().0 - begins;
-    let frames = pictures_counted_from(zero, &mut folder.flight, files);
+    let frames = pictures_counted_from(zero, Some(name), &mut folder.flight, files);
     let broken = |cause: BesideLogError| FolderError::File {
         file: name.to_owned(),
         cause: cause.to_string(),
     };
-    if let Some(frames) = frames.map_err(broken)? {
+    let (frames, notes) = frames.map_err(broken)?;
+    if let Some(frames) = frames {
         folder.frames = frames;
     }
+    folder.notes.extend(notes);
     // Pitch is that of the camera itself.
     if folder.flight.channel(ChannelName::Pitch).is_some() {
         folder.flight.camera.mount_deviation = 0.0;
@@ -572,5 +574,45 @@ mod tests {
             "{:?}",
             folder.notes
         );
+    }
+
+    #[test]
+    fn a_flight_has_the_pictures_of_its_own_film() {
+        let place =
+            |i: usize| format!("[latitude: {:.6}] [longitude: 8.5]", 47.0 + 1e-5 * i as f64);
+        let (placed, words) = (
+            film(place).into_bytes(),
+            film(|_| "No fix".to_owned()).into_bytes(),
+        );
+        let picture = |side| encode_png(&Picture::filled(side, 4, [90; 3])).unwrap();
+        // Pictures of the first film are 4 pixels wide, those of the second 5; the flight, its width and what is told of it.
+        let flown = |first: &[u8], films: &[(&str, usize)]| {
+            let mut files = MemoryFiles::default();
+            files.0.insert("c/DJI_0001.SRT".to_owned(), first.to_vec());
+            files.0.insert("c/DJI_0002.SRT".to_owned(), placed.clone());
+            for (film, width) in films {
+                let table = b"time,file\n1.0,a.png\n".to_vec();
+                files.0.insert(format!("{film}.frames/frames.csv"), table);
+                files
+                    .0
+                    .insert(format!("{film}.frames/a.png"), picture(*width));
+            }
+            let folder = flight_of_subtitles(&(Arc::new(files) as Arc<dyn FileSet>));
+            let folder = folder.unwrap().unwrap();
+            let width = (folder.flight.frames.len() == 1).then_some(folder.flight.camera.width);
+            (width, folder.notes.join("; "))
+        };
+        let (first, second) = (("c/DJI_0001.MP4", 4), ("c/DJI_0002.MP4", 5));
+        let left = |film: &str| format!("the pictures of {film} were left out");
+        let (width, notes) = flown(&words, &[first, second]);
+        assert_eq!(width, Some(5));
+        assert!(notes.contains(&left("c/DJI_0001.MP4")), "{notes}");
+        assert_eq!(flown(&words, &[first]).0, None);
+        // The first flight has no film here, and that of the other is none of its own.
+        let (width, notes) = flown(&placed, &[second]);
+        assert_eq!(width, None);
+        assert!(notes.contains(&left("c/DJI_0002.MP4")), "{notes}");
+        assert_eq!(flown(&placed, &[("d/dji_0001.mp4", 4), second]).0, Some(4));
+        assert_eq!(flown(&placed, &[("pictures", 6)]).0, None);
     }
 }
