@@ -2,7 +2,7 @@
 
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::Window;
-use pilotage_core::imagery::web_tiles::{TileNumber, TileTemplate, tiles_for};
+use pilotage_core::imagery::web_tiles::{TileNumber, TileRectangle, TileTemplate, tiles_for};
 use serde::{Deserialize, Serialize};
 
 /// Reach of the map from the origin, metres: beyond, the plane leaves the globe.
@@ -42,21 +42,19 @@ impl WebMap {
     /// Addresses of the tiles that a window is drawn from.
     pub(crate) fn of_window(&self, window: &Window) -> Vec<String> {
         let tiles = tiles_for(window, &self.frame(), self.zooms(), self.template.side);
-        tiles.map_or_else(Vec::new, |(first, last)| self.between(first, last))
+        tiles.map_or_else(Vec::new, |tiles| self.addresses(&tiles))
     }
 
-    fn between(&self, first: TileNumber, last: TileNumber) -> Vec<String> {
-        let rows = first.y..=last.y;
-        let all = rows.flat_map(|y| (first.x..=last.x).map(move |x| TileNumber { x, y, ..first }));
-        all.map(|tile| self.template.address_of(&tile)).collect()
+    fn addresses(&self, tiles: &TileRectangle) -> Vec<String> {
+        let tiles = tiles.tiles();
+        tiles
+            .map(|(_, tile)| self.template.address_of(&tile))
+            .collect()
     }
 
     /// Number of tiles over `area` at every zoom from `zooms.0` to `zooms.1`.
     pub fn count_over(&self, area: &GroundRect, zooms: (u8, u8)) -> u64 {
-        let of = |zoom| {
-            let (first, last) = TileNumber::covering(area, &self.frame(), zoom);
-            u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1)
-        };
+        let of = |zoom| TileRectangle::covering(area, &self.frame(), zoom).count();
         (zooms.0..=zooms.1).map(of).sum()
     }
 
@@ -77,10 +75,7 @@ impl WebMap {
     /// assert_eq!(addresses, ["https://example.org/1/1/0.png", "https://example.org/2/2/1.png"]);
     /// ```
     pub fn addresses_over(&self, area: &GroundRect, zooms: (u8, u8)) -> Vec<String> {
-        let of = |zoom| {
-            let (first, last) = TileNumber::covering(area, &self.frame(), zoom);
-            self.between(first, last)
-        };
+        let of = |zoom| self.addresses(&TileRectangle::covering(area, &self.frame(), zoom));
         (zooms.0..=zooms.1).flat_map(of).collect()
     }
 }

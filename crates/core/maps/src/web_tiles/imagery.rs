@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::TileNumber;
+use super::{TileNumber, TileRectangle};
 use pilotage_base::frames::{GroundRect, LocalFrame};
 use pilotage_raster::imagery::kept::RecentValues;
 use pilotage_raster::imagery::resample::{PyramidRegion, WindowPixels, samples_per_side};
@@ -126,22 +126,21 @@ impl WebTiles {
         })
     }
 
-    /// Copies the tiles from `first` to `last` beside each other; also whether none of them is still to come.
-    fn rectangle(&self, first: TileNumber, last: TileNumber) -> (Raster<Rgba>, bool) {
+    /// Copies tiles beside each other; also whether none of them is still to come.
+    fn rectangle(&self, tiles: &TileRectangle) -> (Raster<Rgba>, bool) {
         let side = self.store.side();
-        let across = (last.x - first.x + 1) as usize;
-        let down = (last.y - first.y + 1) as usize;
+        let (across, down) = (tiles.across as usize, tiles.down as usize);
         let mut out = Raster::filled(across * side, down * side, [0; 4]);
         let mut is_whole = true;
-        for (x, y) in (first.x..=last.x).flat_map(|x| (first.y..=last.y).map(move |y| (x, y))) {
-            let Ok(tile) = self.tile(TileNumber { x, y, ..first }) else {
+        for ((column, row), number) in tiles.tiles() {
+            let Ok(tile) = self.tile(number) else {
                 is_whole = false;
                 continue;
             };
             let Some(pixels) = tile.as_ref() else {
                 continue;
             };
-            let (left, top) = ((x - first.x) as usize * side, (y - first.y) as usize * side);
+            let (left, top) = (column as usize * side, row as usize * side);
             for row in 0..side {
                 out.row_mut(top + row)[left..][..side].copy_from_slice(pixels.row(row));
             }
@@ -150,22 +149,21 @@ impl WebTiles {
     }
 }
 
-/// First and last tile of the rectangle of tiles that a window of the world frame `frame` is drawn
-/// from: of the coarsest of the `zooms` that is fine enough. `None` if they would be too many.
+/// The rectangle of tiles that a window of the world frame `frame` is drawn from: of the coarsest of the `zooms` that is fine
+/// enough. `None` if they would be too many.
 pub fn tiles_for(
     window: &Window,
     frame: &LocalFrame,
     (least, most): (u8, u8),
     side: usize,
-) -> Option<(TileNumber, TileNumber)> {
+) -> Option<TileRectangle> {
     let rect = window.rect();
     let place = frame.geodetic_from_ground(&rect.center());
     let mut zoom = TileNumber::zoom_for(window.gsd, place.latitude, side).clamp(least, most);
     loop {
-        let (first, last) = TileNumber::covering(&rect, frame, zoom);
-        let tiles = u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1);
-        if tiles <= MOST_TILES {
-            return Some((first, last));
+        let tiles = TileRectangle::covering(&rect, frame, zoom);
+        if tiles.count() <= MOST_TILES {
+            return Some(tiles);
         }
         if zoom == least {
             return None;
@@ -205,12 +203,13 @@ impl Imagery for WebTiles {
         }
         let side = self.store.side();
         let tiles = tiles_for(window, &self.frame, self.store.zooms(), side);
-        let Some((first, last)) = tiles else {
+        let Some(tiles) = tiles else {
             return (empty(), true);
         };
-        let (pixels, is_whole) = self.rectangle(first, last);
+        let (pixels, is_whole) = self.rectangle(&tiles);
         let size = (pixels.width(), pixels.height());
-        let placement = Placement::on_globe(first.georeference(side), self.frame, size.0, size.1);
+        let georeference = tiles.first.georeference(side);
+        let placement = Placement::on_globe(georeference, self.frame, size.0, size.1);
         let Ok(placement) = placement else {
             return (empty(), true);
         };

@@ -10,6 +10,6 @@ mod tests;
 
 pub use imagery::{TileLack, TileStore, WebTiles, tiles_for};
 pub use metadata::ArchiveMetadata;
-pub use number::TileNumber;
+pub use number::{TileNumber, TileRectangle};
 pub use pmtiles::{PmTiles, PmTilesError, TileFormat};
 pub use template::{TemplateError, TileTemplate};

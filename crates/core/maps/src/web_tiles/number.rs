@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::{Georeference, WorldFile};
 
 /// Half the side of the web map, metres of its own.
@@ -20,6 +20,92 @@ pub struct TileNumber {
     pub x: u32,
     /// Row, from the north.
     pub y: u32,
+}
+
+/// Tiles of one zoom beside and below each other; over the date line it goes on in the first column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TileRectangle {
+    /// The tile in its north-west corner.
+    pub first: TileNumber,
+    /// Number of columns, at most those of the world.
+    pub across: u32,
+    /// Number of rows.
+    pub down: u32,
+}
+
+impl TileRectangle {
+    /// The tiles of a zoom that cover `area` of the world frame `frame`.
+    ///
+    /// ```
+    /// use pilotage_maps::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+    /// use pilotage_maps::web_tiles::TileRectangle;
+    ///
+    /// // A kilometre around 180° west on the equator, in tiles of 1223 m: the last column and the first one.
+    /// let frame = LocalFrame::new(Geodetic::from_degrees(0.005, -180.0, 0.0));
+    /// let area = GroundRect::centered(GroundPoint::default(), 1000.0, 1000.0);
+    /// let covering = TileRectangle::covering(&area, &frame, 15);
+    /// let columns: Vec<u32> = covering.tiles().map(|(_, tile)| tile.x).collect();
+    /// assert_eq!(columns, [32_767, 0]);
+    /// ```
+    pub fn covering(area: &GroundRect, frame: &LocalFrame, zoom: u8) -> Self {
+        let zoom = zoom.min(DEEPEST);
+        let columns = f64::from(1_u32 << zoom);
+        let center = area.center();
+        let column = |ground: &GroundPoint| {
+            let place = frame.geodetic_from_ground(ground);
+            let (x, _) = (ReferenceSystem::WebMercator.coordinates(&place)).unwrap_or_default();
+            (
+                (x + HALF_WORLD) / TileNumber::side(zoom),
+                TileNumber::around(&place, zoom).y,
+            )
+        };
+        let (middle, _) = column(&center);
+        // Sides of the area are bent on the web map; their middles reach out farthest.
+        let places = [area.south, center.north, area.north]
+            .into_iter()
+            .flat_map(|north| {
+                [area.west, center.east, area.east].map(|east| GroundPoint::new(north, east))
+            });
+        let (mut west, mut east) = (f64::INFINITY, f64::NEG_INFINITY);
+        let (mut north, mut south) = (u32::MAX, 0);
+        for (x, y) in places.map(|place| column(&place)) {
+            // Counted on from the middle's own column, also over the date line.
+            let x = (x - ((x - middle) / columns).round() * columns).floor();
+            (west, east) = (west.min(x), east.max(x));
+            (north, south) = (north.min(y), south.max(y));
+        }
+        Self {
+            first: TileNumber {
+                zoom,
+                x: west.rem_euclid(columns) as u32,
+                y: north,
+            },
+            across: (east - west + 1.0).min(columns) as u32,
+            down: south - north + 1,
+        }
+    }
+
+    /// Number of its tiles.
+    pub fn count(&self) -> u64 {
+        u64::from(self.across) * u64::from(self.down)
+    }
+
+    /// Its tiles row by row, each with its column and row within the rectangle.
+    pub fn tiles(&self) -> impl Iterator<Item = ((u32, u32), TileNumber)> + use<> {
+        let Self {
+            first,
+            across,
+            down,
+        } = *self;
+        let all = 1_u32 << first.zoom;
+        (0..down).flat_map(move |row| {
+            (0..across).map(move |column| {
+                let x = (first.x + column) % all;
+                let y = first.y + row;
+                ((column, row), TileNumber { x, y, ..first })
+            })
+        })
+    }
 }
 
 impl TileNumber {
@@ -67,31 +153,6 @@ impl TileNumber {
                 f: HALF_WORLD - f64::from(self.y) * metres - 0.5 * pixel,
             },
         }
-    }
-
-    /// First and last tile of the rectangle of tiles at `zoom` that covers `area` of the world frame
-    /// `frame`.
-    pub fn covering(area: &GroundRect, frame: &LocalFrame, zoom: u8) -> (Self, Self) {
-        let center = area.center();
-        let mut tiles = Vec::new();
-        // Sides of the area are bent on the web map; their middles reach out farthest.
-        for north in [area.south, center.north, area.north] {
-            for east in [area.west, center.east, area.east] {
-                let ground = pilotage_base::frames::GroundPoint::new(north, east);
-                tiles.push(Self::around(&frame.geodetic_from_ground(&ground), zoom));
-            }
-        }
-        let pick = |of: fn(&Self) -> u32| {
-            let values = tiles.iter().map(of);
-            (values.clone().min().unwrap_or(0), values.max().unwrap_or(0))
-        };
-        let ((west, east), (north, south)) = (pick(|t| t.x), pick(|t| t.y));
-        let tile = |x, y| Self {
-            zoom: zoom.min(DEEPEST),
-            x,
-            y,
-        };
-        (tile(west, north), tile(east, south))
     }
 
     /// The coarsest zoom whose pixels at `latitude` (radians) are no larger than `gsd` metres, for

@@ -3,6 +3,7 @@
 //! After the specification of Protomaps: a header of 127 bytes, directories in two steps, tiles in
 //! the order of Hilbert's curve.
 
+use std::f64::consts::TAU;
 use std::io::Read;
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use flate2::read::GzDecoder;
 use super::metadata::ArchiveMetadata;
 use super::{TileLack, TileNumber, TileStore};
 use pilotage_base::bytes::ByteSource;
-use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame};
+use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame, wrap_pi};
 use pilotage_raster::imagery::kept::RecentValues;
 use pilotage_raster::raster::{Raster, Rgba, decode_picture_with_coverage};
 
@@ -193,9 +194,12 @@ impl PmTiles {
     /// Middle of the map, for the origin of a world frame.
     pub fn middle(&self) -> Geodetic {
         let (south_west, north_east) = self.corners;
+        // One that goes over the date line has its west in the east.
+        let across = north_east.longitude - south_west.longitude;
+        let across = if across < 0.0 { across + TAU } else { across };
         Geodetic {
             latitude: 0.5 * (south_west.latitude + north_east.latitude),
-            longitude: 0.5 * (south_west.longitude + north_east.longitude),
+            longitude: wrap_pi(south_west.longitude + 0.5 * across),
             height: 0.0,
         }
     }

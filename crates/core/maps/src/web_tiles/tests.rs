@@ -252,6 +252,55 @@ fn tiles_of_the_whole_world_are_drawn_where_the_frame_reaches() {
     }
 }
 
+#[test]
+fn tiles_on_both_sides_of_the_date_line_are_drawn_beside_each_other() {
+    for longitude in [180.0, -179.9985, 179.9985] {
+        let frame = LocalFrame::new(Geodetic::from_degrees(-16.9, longitude, 0.0));
+        let area = GroundRect::centered(GroundPoint::default(), 4000.0, 4000.0);
+        let places = Places {
+            frame,
+            zooms: (8, 15),
+            wave: 90.0,
+        };
+        let map = WebTiles::new(Box::new(places), frame, area, 64 << 20);
+        let window = Window::covering(
+            &GroundRect::centered(GroundPoint::default(), 800.0, 800.0),
+            4.6,
+        );
+        let tiles = tiles_for(&window, &frame, (8, 15), 256).unwrap();
+        // A tile is 1170 m wide there.
+        assert!(tiles.first.zoom == 15 && tiles.count() <= 4, "{tiles:?}");
+        let seen = map.window(&window);
+        for row in 0..window.height {
+            for column in 0..window.width {
+                let ground = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                let (ours, expected) = (seen.get(column, row), shade(&ground, 90.0));
+                let off = ours.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max();
+                assert!(
+                    off <= Some(6),
+                    "{longitude} {ground:?}: {ours:?} {expected:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn an_archive_over_the_date_line_has_its_middle_there() {
+    let mut bytes = archive();
+    for (place, degrees) in [(102, 179.978), (106, -17.0), (110, -179.974), (114, -16.8)] {
+        let angle = (degrees * 1e7) as i32;
+        bytes[place..place + 4].copy_from_slice(&angle.to_le_bytes());
+    }
+    let archive = open(bytes).unwrap();
+    let middle = archive.middle();
+    assert!((middle.longitude.to_degrees() + 179.998).abs() < 1e-6);
+    // 0.048° of longitude at 17° south are 5.1 km, 0.2° of latitude 22.1 km.
+    let area = archive.area(&LocalFrame::new(middle)).unwrap();
+    assert!((area.width() - 5113.0).abs() < 10.0, "{}", area.width());
+    assert!((area.height() - 22_130.0).abs() < 20.0, "{}", area.height());
+}
+
 fn number(out: &mut Vec<u8>, mut value: u64) {
     while value >= 0x80 {
         out.push(value as u8 | 0x80);
