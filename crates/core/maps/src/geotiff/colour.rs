@@ -3,6 +3,7 @@
 use super::super::tiff::{
     Chunk, Photometric, SampleKind, TiffError, TiffFile, TiffLayout, TileSamples,
 };
+use super::mask::for_hidden;
 use pilotage_raster::raster::{Raster, Rgba};
 
 /// Tiles from which the brightest value of 16-bit pictures is taken.
@@ -68,7 +69,7 @@ impl Colours {
     }
 
     /// Full brightness of a 16-bit picture: many sensors fill only 10 to 14 of the bits. The largest
-    /// number of so many bits as the brightest pixel of the coarsest overview needs.
+    /// number of so many bits as the brightest pixel of the coarsest overview needs, of those that are shown.
     fn depth(&self, file: &TiffFile) -> u32 {
         let level = file.levels().len() - 1;
         let layout = &file.levels()[level];
@@ -76,15 +77,27 @@ impl Colours {
         let step = count.div_ceil(TILES_TO_LOOK_AT);
         let mut brightest = 255;
         for index in (0..count).step_by(step) {
-            let tile = file.chunk(level, index % layout.across(), index / layout.across());
+            let place = (level, index % layout.across(), index / layout.across());
+            let tile = file.chunk(level, place.1, place.2);
             // A tile that cannot be read is told when it is shown.
             let Ok(Some(chunk)) = tile else { continue };
             let TileSamples::U16(samples) = &chunk.samples else {
                 continue;
             };
-            for pixel in samples.chunks_exact(chunk.samples_per_pixel) {
+            let mut hidden = vec![false; chunk.width * chunk.height];
+            let size = (chunk.width, chunk.height);
+            let masked = for_hidden(file, place, size, &mut |x, y| {
+                hidden[y * chunk.width + x] = true;
+            });
+            if masked.is_err() {
+                continue;
+            }
+            let pixels = samples.chunks_exact(chunk.samples_per_pixel);
+            for (pixel, is_hidden) in pixels.zip(hidden) {
                 let colour = self.bands.map(|band| u32::from(pixel[band]));
-                if !colour.iter().all(|v| self.is_no_data(*v)) {
+                let is_clear = self.alpha.is_some_and(|(band, _)| pixel[band] == 0);
+                let is_empty = is_hidden || is_clear;
+                if !is_empty && !colour.iter().all(|v| self.is_no_data(*v)) {
                     brightest = brightest.max(colour[0]).max(colour[1]).max(colour[2]);
                 }
             }
@@ -124,24 +137,24 @@ impl Colours {
         if self.no_data.is_some() && colour.iter().all(|v| self.is_no_data(*v)) {
             return [0; 4];
         }
+        let coverage = match self.alpha {
+            Some((band, _)) => to_byte(sample(band), self.opaque),
+            None => 255,
+        };
+        if coverage == 0 {
+            return [0; 4];
+        }
         if !self.palette.is_empty() {
             let count = self.palette.len() / 3;
             let part = |i: usize| {
                 let place = i * count + colour[0] as usize;
                 (self.palette.get(place).copied().unwrap_or(0) >> 8) as u8
             };
-            return [part(0), part(1), part(2), 255];
+            return [part(0), part(1), part(2), coverage];
         }
         let mut shown = colour.map(|v| to_byte(v, self.white));
-        let mut coverage = 255;
-        if let Some((band, is_multiplied)) = self.alpha {
-            coverage = to_byte(sample(band), self.opaque);
-            if coverage == 0 {
-                return [0; 4];
-            }
-            if is_multiplied {
-                shown = shown.map(|v| to_byte(u32::from(v), u32::from(coverage)));
-            }
+        if self.alpha.is_some_and(|(_, is_multiplied)| is_multiplied) {
+            shown = shown.map(|v| to_byte(u32::from(v), u32::from(coverage)));
         }
         if self.inverted {
             shown = shown.map(|v| 255 - v);

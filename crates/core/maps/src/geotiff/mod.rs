@@ -3,7 +3,10 @@
 mod band_metadata;
 mod coarse;
 mod colour;
+#[cfg(test)]
+mod colour_tests;
 mod keys;
+mod mask;
 mod place;
 #[cfg(test)]
 mod place_tests;

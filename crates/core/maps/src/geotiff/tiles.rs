@@ -3,16 +3,14 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::super::tiff::{Chunk, TiffError, TiffFile, TiffLayout};
+use super::super::tiff::{TiffError, TiffFile};
 use super::colour::Colours;
+use super::mask::{TileIndex, for_hidden, overlapping};
 use pilotage_raster::imagery::kept::RecentValues;
 use pilotage_raster::raster::{Raster, Rgba};
 
 /// Most problems that are remembered.
 const MOST_PROBLEMS: usize = 16;
-
-/// Level, column and row of a tile.
-type TileIndex = (usize, usize, usize);
 
 /// The coloured tiles of a file.
 pub(super) struct ColouredTiles {
@@ -61,39 +59,11 @@ impl ColouredTiles {
         let layout = &self.file.levels()[level];
         let chunk = self.file.chunk(level, column, row)?;
         let mut tile = self.colours.paint(layout, chunk.as_ref());
-        if let Some(mask) = self.file.mask(level) {
-            self.cover(&mut tile, mask, (level, column, row))?;
-        }
+        let size = (tile.width(), tile.height());
+        for_hidden(&self.file, (level, column, row), size, &mut |x, y| {
+            tile.set(x, y, [0; 4]);
+        })?;
         Ok(tile)
-    }
-
-    /// Makes transparent what the mask of the level leaves out.
-    fn cover(
-        &self,
-        tile: &mut Raster<Rgba>,
-        mask: &TiffLayout,
-        (level, column, row): TileIndex,
-    ) -> Result<(), TiffError> {
-        let layout = &self.file.levels()[level];
-        let first = (column * layout.chunk_width, row * layout.chunk_height);
-        let end = (
-            (first.0 + tile.width()).min(mask.width),
-            (first.1 + tile.height()).min(mask.height),
-        );
-        let covered = overlapping(mask, first, end);
-        for (mask_column, mask_row) in covered {
-            let chunk = self.file.mask_chunk(level, mask_column, mask_row)?;
-            let corner = (mask_column * mask.chunk_width, mask_row * mask.chunk_height);
-            let rows = first.1.max(corner.1)..end.1.min(corner.1 + mask.chunk_height);
-            for y in rows {
-                for x in first.0.max(corner.0)..end.0.min(corner.0 + mask.chunk_width) {
-                    if !is_set(chunk.as_ref(), x - corner.0, y - corner.1) {
-                        tile.set(x - first.0, y - first.1, [0; 4]);
-                    }
-                }
-            }
-        }
-        Ok(())
     }
 
     /// The tile at a place; transparent if it cannot be read, which is remembered as a problem.
@@ -133,23 +103,4 @@ impl ColouredTiles {
         }
         out
     }
-}
-
-/// Columns and rows of the tiles of `layout` that share pixels with the rectangle.
-fn overlapping(
-    layout: &TiffLayout,
-    first: (usize, usize),
-    end: (usize, usize),
-) -> impl Iterator<Item = (usize, usize)> + use<> {
-    let columns = first.0 / layout.chunk_width..end.0.div_ceil(layout.chunk_width);
-    let rows = first.1 / layout.chunk_height..end.1.div_ceil(layout.chunk_height);
-    rows.flat_map(move |row| columns.clone().map(move |column| (column, row)))
-}
-
-/// Whether a pixel of a mask's tile is valid; tiles that are left out are not.
-fn is_set(chunk: Option<&Chunk>, x: usize, y: usize) -> bool {
-    chunk.is_some_and(|chunk| {
-        let index = (y * chunk.width + x) * chunk.samples_per_pixel;
-        y < chunk.height && chunk.samples.real(index) != 0.0
-    })
 }
