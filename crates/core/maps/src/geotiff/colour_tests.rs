@@ -1,5 +1,9 @@
 //! Pictures of few pixels, of which rasterio tells the same.
 
+use std::io::Write as _;
+
+use flate2::{Compression, write::ZlibEncoder};
+
 use super::colour::Colours;
 use crate::tiff::TiffFile;
 use crate::tiff::tests::open;
@@ -117,4 +121,35 @@ fn a_palette_has_transparency_as_other_pictures_have() {
         seen,
         [[255, 0, 0, 255], [0, 255, 0, 255], [0; 4], [0, 255, 0, 128]]
     );
+}
+
+/// The first pixel of 0x0f is white where the bits of every stored byte are in the other order, also of packed ones.
+#[test]
+fn bits_of_bytes_may_be_stored_in_the_other_order() {
+    let reversed = |bytes: &[u8]| {
+        bytes
+            .iter()
+            .map(|byte| byte.reverse_bits())
+            .collect::<Vec<u8>>()
+    };
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
+    encoder.write_all(&[0xf0]).unwrap();
+    let packed = encoder.finish().unwrap();
+    for (order, method, stored) in [
+        (1, 1, vec![0xf0]),
+        (2, 1, vec![0x0f]),
+        (1, 8, packed.clone()),
+        (2, 8, reversed(&packed)),
+    ] {
+        let tags = [
+            (258, &[1][..]),
+            (259, &[method]),
+            (262, &[1]),
+            (266, &[order]),
+            (277, &[1]),
+        ];
+        let seen = shown(&tiff(&[Image(8, 1, &stored, &tags)]));
+        let white = seen.iter().map(|p| p[0] == 255).collect::<Vec<_>>();
+        assert_eq!(white, [[true; 4], [false; 4]].concat(), "{order}, {method}");
+    }
 }

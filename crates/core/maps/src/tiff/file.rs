@@ -6,7 +6,7 @@ use super::decompress::unpack;
 use super::directory::BlockReader;
 use super::error::Blame;
 use super::samples::from_bytes;
-use super::{Chunk, Directory, Photometric, TiffError, TiffLayout, TileSamples};
+use super::{Chunk, Directory, FillOrder, Photometric, TiffError, TiffLayout, TileSamples};
 use pilotage_base::bytes::ByteSource;
 
 /// An open TIFF file: the picture, its smaller copies and their masks.
@@ -154,7 +154,11 @@ impl TiffFile {
                     self.source.length()
                 )));
             }
-            let packed = (self.source.read(offset, count as usize)).map_err(|e| blame.read(e))?;
+            let mut packed =
+                (self.source.read(offset, count as usize)).map_err(|e| blame.read(e))?;
+            if layout.bit_order == FillOrder::LeastFirst {
+                (packed.iter_mut()).for_each(|byte| *byte = byte.reverse_bits());
+            }
             let expected = layout
                 .kind
                 .row_bytes(layout.chunk_width * layout.samples_together())

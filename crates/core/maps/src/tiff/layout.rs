@@ -29,6 +29,15 @@ pub enum Photometric {
     Mask,
 }
 
+/// Order of the bits in a byte as it is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FillOrder {
+    /// The most significant first, as everywhere else.
+    MostFirst,
+    /// The least significant first, as some scanners write it.
+    LeastFirst,
+}
+
 /// Type of a sample by its bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SampleKind {
@@ -84,6 +93,8 @@ pub struct TiffLayout {
     pub kind: SampleKind,
     /// Compression of tiles.
     pub compression: Compression,
+    /// Order of bits in the bytes of tiles.
+    pub bit_order: FillOrder,
     /// 1: samples as they are, 2: differences to the left, 3: the same for the bytes of reals.
     pub predictor: u64,
     /// Meaning of the samples.
@@ -177,6 +188,11 @@ impl TiffLayout {
             is_planar: directory.number(Tag::PlanarConfiguration)? == Some(2) && samples > 1,
             kind: kind(directory)?,
             compression,
+            bit_order: match directory.number(Tag::FillOrder)? {
+                // JPEG has an order of its own.
+                Some(2) if compression != Compression::Jpeg => FillOrder::LeastFirst,
+                _ => FillOrder::MostFirst,
+            },
             predictor: directory.number(Tag::Predictor)?.unwrap_or(1),
             photometric,
             alpha: alpha(directory, photometric, samples)?,

@@ -21,7 +21,7 @@ pub use compression::{Compression, LercWrap};
 pub(super) use directory::Directory;
 pub use error::TiffError;
 pub use file::TiffFile;
-pub use layout::{Photometric, SampleKind, TiffLayout};
+pub use layout::{FillOrder, Photometric, SampleKind, TiffLayout};
 pub use samples::{Chunk, TileSamples};
 pub(super) use tags::Tag;
 
