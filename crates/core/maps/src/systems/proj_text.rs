@@ -194,6 +194,12 @@ fn described(text: &str, words: &ProjWords) -> Option<Result<ReferenceSystem, Sy
         let code = 32_600 + if is_south { 100 } else { 0 } + zone;
         return ReferenceSystem::from_epsg(code).map(Ok);
     }
+    // PROJ has the origin of a cone of one parallel there where none is stated, and GDAL on the equator, with a second
+    // parallel there: nobody knows what was meant.
+    let is_unstated = |key: &str| words.word(key).is_none();
+    if method == "lcc" && ["lat_0", "lat_2"].into_iter().all(is_unstated) {
+        return None;
+    }
     let angle = |key: &str| words.number(key, 0.0).map(f64::to_radians);
     let stated = |key: &str| words.word(key).map(|_| angle(key));
     let scale = match words.word("k_0") {
@@ -288,6 +294,15 @@ mod tests {
             let off = (found.latitude - right.latitude).hypot(found.longitude - right.longitude);
             assert!(off * 6.4e6 < 0.005, "{text}: {} m", off * 6.4e6);
         }
+        let cone = |text: &str| {
+            let text = format!("+proj=lcc {text} +lon_0=2.34 +x_0=600000 +datum=WGS84 +units=m");
+            read(&text).map(|system| system.geodetic(600_000.0, 2_200_000.0).unwrap())
+        };
+        let found = cone("+lat_1=46.8 +lat_0=46.8 +y_0=2200000").unwrap();
+        assert!((found.latitude.to_degrees() - 46.8).abs() < 1e-8);
+        // By `proj` its origin lies at 46.8° north, by GDAL 3.9 on the equator.
+        let refused = cone("+lat_1=46.8 +y_0=2200000").unwrap_err().to_string();
+        assert!(refused.contains("+lat_1=46.8"), "{refused}");
     }
 
     #[test]
