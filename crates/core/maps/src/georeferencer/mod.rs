@@ -15,5 +15,5 @@ mod tests;
 
 pub use fit::{ControlPoint, FitError, Residual, TransformFit, fit};
 pub use kind::TransformKind;
-pub use plane::{in_metres, in_utm_zone};
+pub use plane::{in_metres, in_utm_zone, metres_per_unit};
 pub use points_file::{PointsFileError, read_points, read_points_in, write_points};

@@ -205,6 +205,22 @@ fn a_picture_seen_askew_lies_where_its_points_do_there_and_back() {
 }
 
 #[test]
+fn points_in_degrees_on_both_sides_of_the_date_line_are_fitted_where_they_lie() {
+    let point = |longitude: f64| ControlPoint {
+        pixel: Point2::new(longitude, 1.0),
+        place: Point2::new(longitude, -17.0),
+        enabled: true,
+    };
+    let points = [point(179.99), point(-179.99), point(180.001)];
+    let (in_plane, plane) = in_metres(&points, ReferenceSystem::Geographic).unwrap();
+    // The middle lies at 179.9997° west.
+    assert_eq!(plane.epsg(), Some(32_701));
+    let apart = in_plane[1].place.x - in_plane[0].place.x;
+    // 0.02° of longitude at 17° south, by a scale of 1.0008 at the zone's edge.
+    assert!((apart - 2131.4).abs() < 2.0, "{apart}");
+}
+
+#[test]
 fn points_in_degrees_are_fitted_in_metres() {
     let utm = ReferenceSystem::from_epsg(32_615).unwrap();
     let in_degrees = points(&SPREAD, |x, y| {
