@@ -1,7 +1,7 @@
 //! Control points of a picture out of a file of the QGIS georeferencer, in any reference system.
 
-use pilotage_core::frames::ReferenceSystem;
-use pilotage_core::imagery::georeferencer::{in_metres, in_utm_zone, read_points_in};
+use pilotage_core::frames::{Geodetic, LocalFrame, ReferenceSystem};
+use pilotage_core::imagery::georeferencer::{ControlPoint, in_metres, in_utm_zone, read_points_in};
 use pilotage_core::imagery::systems;
 use serde::{Deserialize, Serialize};
 
@@ -9,10 +9,41 @@ use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{JobEvent, ReadControlPoints, RunningJob, WorkerState};
 
+/// Farthest from the place where a picture is thought to be that points without a system are believed, metres.
+const LIKELY: f64 = 300_000.0;
+
+/// System that points are in where their file names none: degrees where the numbers may be such, else this.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PresumedSystem {
+    /// The system, which is not of degrees.
+    pub system: ReferenceSystem,
+    /// Place near which they are thought to lie; points far from it are not taken.
+    pub near: Geodetic,
+}
+
+impl PresumedSystem {
+    /// The system of these points, if they may be in one; at least one.
+    fn of(&self, points: &[ControlPoint]) -> Option<ReferenceSystem> {
+        let are_degrees = |p: &ControlPoint| p.place.x.abs() <= 360.0 && p.place.y.abs() <= 90.0;
+        if points.iter().all(are_degrees) {
+            return Some(ReferenceSystem::Geographic);
+        }
+        let frame = LocalFrame::new(self.near);
+        let is_near = |p: &ControlPoint| {
+            let place = self.system.geodetic(p.place.x, p.place.y);
+            place.is_some_and(|place| {
+                let ground = frame.ground_from_geodetic(&place);
+                ground.north.hypot(ground.east) < LIKELY
+            })
+        };
+        points.iter().all(is_near).then_some(self.system)
+    }
+}
+
 impl ReadControlPoints {
     /// The points in a file's text, in the plane that the file names, or in the UTM zone around points in degrees.
-    /// `named` is the system that people know better than the file, `otherwise` the one of a file that names none, and
-    /// `remedy` what to do where nobody knows it.
+    /// `named` is the system that people know better than the file, `otherwise` the one of a file that names none, which
+    /// is a note, and `remedy` what to do where nobody knows it.
     ///
     /// # Errors
     /// Text that is no such file, without a point, of an unknown system, or with a place that its system does not reach:
@@ -21,32 +52,37 @@ impl ReadControlPoints {
         file: &str,
         text: &str,
         named: Option<ReferenceSystem>,
-        otherwise: Option<ReferenceSystem>,
+        otherwise: Option<&PresumedSystem>,
         remedy: &str,
     ) -> Result<Self, String> {
         let (points, system) = read_points_in(text, named, |name| systems::by_name(name).ok())
             .map_err(|cause| format!("{file}: {cause}"))?;
-        let system = system.or(otherwise).ok_or_else(|| {
+        if points.is_empty() {
+            return Err(format!("{file}: there are no points in it"));
+        }
+        let presumed = || otherwise.and_then(|otherwise| otherwise.of(&points));
+        let taken = system.or_else(presumed).ok_or_else(|| {
             format!(
                 "{file}: the file does not say of which reference system its points are; {remedy}"
             )
         })?;
-        if points.is_empty() {
-            return Err(format!("{file}: there are no points in it"));
-        }
-        let (points, plane) = in_metres(&points, system).ok_or_else(|| outside(file, &system))?;
+        let presumption = system.is_none().then(|| {
+            let name = taken.name();
+            format!("{file}: it names no reference system; its numbers were taken for {name}.")
+        });
+        let (points, plane) = in_metres(&points, taken).ok_or_else(|| outside(file, &taken))?;
         Ok(Self {
             file: file.to_owned(),
             points,
             plane,
-            notes: system.note_on(file).into_iter().collect(),
+            notes: taken.note_on(file).into_iter().chain(presumption).collect(),
         })
     }
 
-    /// The same in a plane of WGS 84, the only ones that messages can hold: the UTM zone around the points in place of
-    /// any other system.
+    /// The same in metres of the ground: the UTM zone around the points in place of any other system. Messages hold no
+    /// other than those of WGS 84, and a metre of Web Mercator is half of one at 60° north.
     fn in_message(mut self) -> Result<Self, String> {
-        if let ReferenceSystem::Other(_) = self.plane {
+        if let ReferenceSystem::Other(_) | ReferenceSystem::WebMercator = self.plane {
             let stated = self.plane;
             let moved = in_utm_zone(&self.points, stated);
             (self.points, self.plane) = moved.ok_or_else(|| outside(&self.file, &stated))?;
@@ -77,7 +113,7 @@ pub struct ReadControlPointsOrder {
     /// The file among them.
     pub file: String,
     /// The system of the points where the file names none.
-    pub otherwise: Option<ReferenceSystem>,
+    pub otherwise: Option<PresumedSystem>,
 }
 
 impl Order for ReadControlPointsOrder {
@@ -98,8 +134,9 @@ impl Order for ReadControlPointsOrder {
             let bytes = files.read(file);
             let bytes = bytes.ok_or_else(|| format!("{file} is not among the files"))?;
             let text = String::from_utf8_lossy(&bytes);
-            let remedy = "pick or type one point first";
-            let read = ReadControlPoints::read(file, &text, None, self.otherwise, remedy)?;
+            let remedy = "pick or type one point near them first, or begin the file with a line like #CRS: EPSG:32617";
+            let otherwise = self.otherwise.as_ref();
+            let read = ReadControlPoints::read(file, &text, None, otherwise, remedy)?;
             emit(JobEvent::ControlPoints(Box::new(read.in_message()?)));
             Ok(())
         })
@@ -149,8 +186,12 @@ mod tests {
 
     #[test]
     fn files_without_a_system_or_a_point_say_what_to_do() {
-        let rows = format!("{ROWS}1,2,3,-4,1\n");
-        let read = |text: &str, otherwise| {
+        let rows = format!("{ROWS}500010,5190020,3,-4,1\n");
+        let near = |latitude| PresumedSystem {
+            system: ReferenceSystem::from_epsg(32_615).unwrap(),
+            near: Geodetic::from_degrees(latitude, -92.0, 0.0),
+        };
+        let read = |text: &str, otherwise: Option<&PresumedSystem>| {
             ReadControlPoints::read("a.points", text, None, otherwise, "name it")
         };
         let cause = read(&rows, None).unwrap_err();
@@ -158,12 +199,44 @@ mod tests {
             cause.starts_with("a.points: ") && cause.ends_with("; name it"),
             "{cause}"
         );
-        let zone = ReferenceSystem::from_epsg(32_617);
-        assert_eq!(read(&rows, zone).unwrap().plane.epsg(), Some(32_617));
-        let cause = read(ROWS, zone).unwrap_err();
+        let found = read(&rows, Some(&near(46.9))).unwrap();
+        assert_eq!(found.plane.epsg(), Some(32_615));
+        assert!(found.notes[0].ends_with("were taken for WGS 84, UTM zone 15N."));
+        // Some other numbers, which that zone puts into another country.
+        let cause = read(&rows, Some(&near(40.0))).unwrap_err();
+        assert!(cause.ends_with("; name it"), "{cause}");
+        let cause = read(ROWS, Some(&near(46.9))).unwrap_err();
         assert!(cause.ends_with("no points in it"), "{cause}");
-        let read = read(&rows, Some(ReferenceSystem::Geographic));
-        let zone = read.map(|it| it.plane.epsg());
-        assert_eq!(zone, Ok(Some(32_631)), "degrees are brought to metres");
+        let degrees = format!("{ROWS}8.500,47.250,10,-10,1\n");
+        let found = read(&degrees, Some(&near(46.9))).unwrap();
+        assert_eq!(
+            found.plane.epsg(),
+            Some(32_632),
+            "degrees are brought to metres"
+        );
+        assert!(found.notes[0].ends_with("were taken for WGS 84, longitude and latitude."));
+        let named = ReadControlPoints::read(
+            "a.points",
+            &degrees,
+            Some(ReferenceSystem::Geographic),
+            None,
+            "",
+        );
+        assert_eq!(named.unwrap().notes.len(), 0);
+    }
+
+    /// Two places of a street at 60° north, 100 units of Web Mercator from each other: 50 m on the ground.
+    #[test]
+    fn points_over_web_mercator_reach_the_page_in_metres_of_the_ground() {
+        let text = format!(
+            "#CRS: EPSG:3857\n{ROWS}1200000,8399737.89,10,-20,1\n1200100,8399737.89,110,-20,1\n"
+        );
+        let read = ReadControlPoints::read("a.points", &text, None, None, "").unwrap();
+        assert_eq!(read.plane.epsg(), Some(3857));
+        let sent = read.in_message().unwrap();
+        assert_eq!(sent.plane.epsg(), Some(32_632));
+        let apart = (sent.points[1].place - sent.points[0].place).norm();
+        // cos 60° = 0.5, 0.25 % more on the ellipsoid, 0.04 % less in the zone.
+        assert!((apart - 50.1).abs() < 0.05, "{apart}");
     }
 }

@@ -84,7 +84,7 @@ pub use assess::SumUpOrder;
 pub use assess_ahead::AssessAheadOrder;
 pub use bare_mission::BareMission;
 pub use circumstances::PlanCircumstances;
-pub use control_points::ReadControlPointsOrder;
+pub use control_points::{PresumedSystem, ReadControlPointsOrder};
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
 pub use explain::ExplainOrder;

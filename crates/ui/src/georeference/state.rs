@@ -225,6 +225,14 @@ impl Georeferencer {
         self.fit();
     }
 
+    /// Takes the points, and the kind of fit, that the picture had when it was left, one undo step.
+    pub fn take_up(&mut self, before: Self) {
+        self.kind = before.kind;
+        if let Some(plane) = before.system {
+            self.take_points(before.points, plane);
+        }
+    }
+
     /// The points as QGIS writes them.
     pub fn points_file(&self) -> String {
         write_points(&self.points, self.system, self.fitted.as_ref().ok())

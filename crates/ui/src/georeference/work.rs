@@ -1,14 +1,14 @@
 //! The picture that is being put on the ground: its jobs, its files, and what becomes of it.
 
 use pilotage_core::exchange::Format;
-use pilotage_core::frames::ReferenceSystem;
-use pilotage_core::imagery::georeferencer::TransformFit;
+use pilotage_core::imagery::georeferencer::{TransformFit, TransformKind};
 use pilotage_core::raster::Raster;
 use pilotage_jobs::{
-    DescribeMapOrder, Job, JobEvent, JobId, ReadControlPoints, ReadControlPointsOrder,
-    ReadPlacesOrder, TileOrder, Unplaced,
+    DescribeMapOrder, Job, JobEvent, JobId, PresumedSystem, ReadControlPoints,
+    ReadControlPointsOrder, ReadPlacesOrder, TileOrder, Unplaced,
 };
 
+use super::canvas::PictureCanvas;
 use super::{Georeferencer, NamedPlace};
 use crate::command::Workspace;
 use crate::documents::kept::provide;
@@ -40,6 +40,8 @@ pub struct GeoreferencerFeature {
     places: Option<(JobId, Vec<OpenedFile>)>,
     /// Paths of files that hold no places and are opened as anything else.
     without_places: Vec<String>,
+    /// Pictures with points that were left, by name: once opened again they have those.
+    left: Vec<Georeferencer>,
 }
 
 impl GeoreferencerFeature {
@@ -52,13 +54,19 @@ impl GeoreferencerFeature {
     ) {
         self.close(context);
         let origin = context.documents.world_origin();
-        let picture = Georeferencer::new(&set.key, &unplaced.name, origin);
+        let mut picture = Georeferencer::new(&set.key, &unplaced.name, origin);
         let order = DescribeMapOrder(picture.bare());
         self.describe = Some(context.start(Job::DescribeMap(order)));
         self.files = Some(set.clone());
+        let before = self.left.iter().position(|left| left.name == picture.name);
+        let before = before.map(|at| self.left.swap_remove(at));
         let has_points = unplaced.points.is_some();
         if let Some(file) = unplaced.points {
-            self.ask_for_points(set, file, picture.system, context);
+            self.ask_for_points(set, file, picture.presumed_system(), context);
+        } else if let Some(before) = before {
+            let title = format!("{} has its points of before", unplaced.name);
+            context.note(&title, "Undo takes them away.");
+            picture.take_up(before);
         } else {
             let text = "Click places that you know in the picture and on the map. Its world file \
                 beside it would do as well.";
@@ -81,7 +89,7 @@ impl GeoreferencerFeature {
         &mut self,
         set: &OpenedSet,
         file: String,
-        otherwise: Option<ReferenceSystem>,
+        otherwise: Option<PresumedSystem>,
         context: &mut FeatureContext<'_>,
     ) {
         let key = set.key.clone();
@@ -123,15 +131,23 @@ impl GeoreferencerFeature {
         context.map.follow = false;
     }
 
-    /// Leaves the picture.
+    /// Leaves the picture; its points are there again when it is opened again.
     pub(super) fn close(&mut self, context: &mut FeatureContext<'_>) {
         let Self {
+            picture,
             tiles,
             describe,
             places,
             points,
+            mut left,
             ..
         } = std::mem::take(self);
+        if let Some(mut picture) = picture.filter(|picture| !picture.points.is_empty()) {
+            picture.canvas = PictureCanvas::default();
+            left.retain(|other| other.name != picture.name);
+            left.push(picture);
+        }
+        self.left = left;
         let tiles = tiles.into_iter().map(|(id, _)| id);
         let places = places.map(|(id, _)| id);
         for id in tiles.chain(describe).chain(places).chain(points) {
@@ -148,7 +164,7 @@ impl GeoreferencerFeature {
             && has_ending(&file.path, &["points"])
         {
             provide(context.host, &set.key, &set.files);
-            let system = picture.system;
+            let system = picture.presumed_system();
             self.ask_for_points(set, file.path.clone(), system, context);
             return true;
         }
@@ -293,6 +309,11 @@ impl GeoreferencerFeature {
             return;
         };
         let name = picture.file_beside("");
+        let text = if picture.kind == TransformKind::Projective {
+            "No world file can hold this transform. Open the picture again to save its points."
+        } else {
+            "Open the picture again to save its points, or its world file to have its place elsewhere too."
+        };
         if let Some(files) = self.files.take() {
             context.keep(files);
         }
@@ -307,7 +328,6 @@ impl GeoreferencerFeature {
         context.map.fits_when_known = true;
         context.change_map(source);
         context.document_changed();
-        let text = "Save its world file to have its place elsewhere too.";
         context.note("The picture is the map now", text);
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::Point2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use pilotage_jobs::MapSource;
+use pilotage_jobs::{MapSource, PresumedSystem};
 
 use super::Georeferencer;
 use crate::map::{distance_over_ground, is_in_reach};
@@ -24,6 +24,14 @@ impl Georeferencer {
         let place = self.points.first().map(|point| point.place);
         let place = place.or(self.pending.place)?;
         self.system?.geodetic(place.x, place.y)
+    }
+
+    /// The system that points of a file are taken to be in which names none: the plane of the points that there are, or of
+    /// the world of the map beside.
+    pub(super) fn presumed_system(&self) -> Option<PresumedSystem> {
+        let near = (self.somewhere()).or_else(|| self.frame.map(|frame| frame.origin))?;
+        let system = self.system?;
+        Some(PresumedSystem { system, near })
     }
 
     /// Distance of the picture from the map beside over the ground, metres, where it lies beyond the reach of that map's world.

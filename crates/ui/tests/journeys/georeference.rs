@@ -98,6 +98,14 @@ fn a_picture_without_a_place_is_put_on_the_ground_by_clicks() {
     rig.harness.get_by_label("Use as the map").click();
     rig.frames(3);
     assert!(rig.state()["georeferencer"].is_null());
+    rig.harness.get_by_label_contains("Open the picture again");
+    // Opened again, it has its points, which undo takes away.
+    let content = vec![1].into();
+    open(&mut rig, "photo.png", content);
+    rig.frames(6);
+    assert_eq!(rig.state()["georeferencer"]["points"], 4);
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(rig.state()["georeferencer"]["points"], 0);
 }
 
 #[test]
