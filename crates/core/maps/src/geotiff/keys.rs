@@ -164,9 +164,11 @@ fn text(directory: &Directory, entry: &[u64]) -> Option<String> {
     if entry[1] != Tag::GeoAsciiParams as u64 {
         return None;
     }
-    let all = directory.text(Tag::GeoAsciiParams)?;
+    // Counted in bytes, which letters of other programs' code pages are one of, too.
+    let all = directory.bytes(Tag::GeoAsciiParams);
     let end = entry[3].checked_add(entry[2])?;
     let text = all.get(entry[3] as usize..(end as usize).min(all.len()))?;
+    let text = String::from_utf8_lossy(text);
     let text = text.trim_end_matches(['|', '\0']).trim();
     (!text.is_empty()).then(|| text.chars().take(4000).collect())
 }

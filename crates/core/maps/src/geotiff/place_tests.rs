@@ -68,3 +68,29 @@ fn pixels_of_a_negative_height_have_north_up_and_that_is_told() {
     assert_eq!(usual.notes, Vec::<String>::new());
     assert!(negative.notes[0].starts_with("map.tif: the height of its pixels is negative"));
 }
+
+#[test]
+fn names_are_found_behind_letters_of_other_code_pages() {
+    // A comment in Latin-1 before the name of the heights; both end in a bar.
+    let (comment, name) = (&b"H\xf6hen in Metern|"[..], &b"EGM96 height|"[..]);
+    let (first, second) = (comment.len() as u16, name.len() as u16);
+    let ascii = 34_737;
+    let keys = [
+        [1, 1, 0, 5],
+        [1024, 0, 1, 1],
+        [1026, ascii, first, 0],
+        [3072, 0, 1, 32_632],
+        [4096, 0, 1, 32_767],
+        [4097, ascii, second, first],
+    ];
+    let keys = keys.as_flattened().iter().flat_map(|v| v.to_le_bytes());
+    let tags = [
+        (33_550, 12, doubles(&[60.0, 60.0, 0.0])),
+        (33_922, 12, doubles(&[0.0, 0.0, 0.0, 5e5, 5e6, 0.0])),
+        (34_735, 3, keys.collect()),
+        (ascii, 2, [comment, name].concat()),
+    ];
+    let source = MemoryBytes::new("map.tif", write(&Recipe::default(), &tags));
+    let file = GeoTiffFile::open(Arc::new(source), None, None).expect("a system");
+    assert_eq!(file.keys.vertical_name.as_deref(), Some("EGM96 height"));
+}
