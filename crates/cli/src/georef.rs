@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Point2;
 use pilotage_core::frames::ReferenceSystem;
-use pilotage_core::imagery::georeferencer::{ControlPoint, TransformFit, TransformKind, fit};
+use pilotage_core::imagery::georeferencer::{
+    ControlPoint, TransformFit, TransformKind, fit, metres_per_unit,
+};
 use pilotage_core::imagery::systems;
 use pilotage_core::mission::{MapOptions, open_map_with};
 use pilotage_jobs::ReadControlPoints;
@@ -57,6 +59,8 @@ struct FitSummary {
     #[serde(skip_serializing_if = "Option::is_none")]
     epsg: Option<u32>,
     gsd_m: f64,
+    /// Metres of the ground that a unit of the reference system is here, by which errors are told in metres.
+    metres_per_unit: f64,
     /// Of the points that are on; absent if so few check nothing.
     rms_px: Option<f64>,
     rms_m: Option<f64>,
@@ -73,8 +77,9 @@ struct FitSummary {
 struct PointSummary {
     column: f64,
     row: f64,
-    x_m: f64,
-    y_m: f64,
+    /// Coordinates in the reference system, in its own unit.
+    x: f64,
+    y: f64,
     enabled: bool,
     residual_px: Option<f64>,
     residual_east_m: f64,
@@ -146,6 +151,8 @@ fn summarize(
         let place = plane.geodetic(place.x, place.y)?;
         Some([place.latitude.to_degrees(), place.longitude.to_degrees()])
     });
+    let unit =
+        metres_per_unit(points, plane).ok_or("a point lies where its system does not reach")?;
     let told = points.iter().zip(&fitted.residuals);
     let m = fitted.plane_from_pixel / fitted.plane_from_pixel[(2, 2)];
     Ok(FitSummary {
@@ -157,21 +164,22 @@ fn summarize(
         epsg: plane.epsg(),
         gsd_m: pilotage_core::imagery::Imagery::native_gsd(&map),
         rms_px: (!fitted.is_exact).then_some(fitted.rms_in_pixels),
-        rms_m: (!fitted.is_exact).then_some(fitted.rms_in_plane),
-        rms_left_out_m: fitted.rms_left_out,
+        metres_per_unit: unit,
+        rms_m: (!fitted.is_exact).then_some(fitted.rms_in_plane * unit),
+        rms_left_out_m: fitted.rms_left_out.map(|rms| rms * unit),
         corners_lat_lon: corners.collect(),
         plane_from_pixel: [0, 1, 2].map(|r| [0, 1, 2].map(|c| m[(r, c)])),
         points: told
             .map(|(point, residual)| PointSummary {
                 column: point.pixel.x,
                 row: point.pixel.y,
-                x_m: point.place.x,
-                y_m: point.place.y,
+                x: point.place.x,
+                y: point.place.y,
                 enabled: point.enabled,
                 residual_px: residual.in_pixels.map(|r| r.norm()),
-                residual_east_m: residual.in_plane.x,
-                residual_north_m: residual.in_plane.y,
-                left_out_m: residual.left_out.map(|r| r.norm()),
+                residual_east_m: residual.in_plane.x * unit,
+                residual_north_m: residual.in_plane.y * unit,
+                left_out_m: residual.left_out.map(|r| r.norm() * unit),
             })
             .collect(),
     })

@@ -1,5 +1,6 @@
 //! A picture put on the ground from the command line.
 
+use std::fmt::Write as _;
 use std::process::Output;
 
 use pilotage_core::raster::{Picture, encode_png};
@@ -43,7 +44,8 @@ fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
     let off = &summary["points"][5];
     assert_eq!(off["enabled"], false);
     assert!(
-        (off["residual_north_m"].as_f64().unwrap() + 3.0).abs() < 1e-6,
+        // Metres of the ground, of which those of the zone are 0.9997.
+        (off["residual_north_m"].as_f64().unwrap() + 3.001).abs() < 5e-4,
         "{off}"
     );
     assert!((off["residual_px"].as_f64().unwrap() - 6.0).abs() < 1e-6);
@@ -69,4 +71,46 @@ fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
     let refused = georef(&folder, &["--kind", "projective", "--out", "b.pgw"]);
     let why = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(!refused.status.success() && why.contains("affine"), "{why}");
+}
+
+/// Four corners, a pixel a unit, of which one lies 10 units off: 2.5 units of RMS, and 10 of each point left out.
+#[test]
+fn errors_are_told_in_metres_of_the_ground_whatever_the_unit_of_the_plane() {
+    let folder = Folder::new("georef-units");
+    let picture = Picture::filled(200, 100, [9, 9, 9]);
+    folder.write("area.png", encode_png(&picture).unwrap());
+    // A unit of Web Mercator at 60° north is half a metre, that of EPSG:2263 a foot of the survey.
+    for (code, x, y, unit) in [
+        (3857, 1_200_000.0, 8_399_737.0, 0.5008),
+        (2263, 987_000.0, 200_000.0, 0.3048),
+    ] {
+        let mut text = format!("#CRS: EPSG:{code}\nmapX,mapY,sourceX,sourceY,enable\n");
+        for (column, row, off) in [
+            (10, 10, 0.0),
+            (190, 10, 0.0),
+            (190, 90, 10.0),
+            (10, 90, 0.0),
+        ] {
+            let (x, y) = (x + f64::from(column) + off, y - f64::from(row));
+            writeln!(text, "{x},{y},{column},-{row},1").unwrap();
+        }
+        folder.write("area.points", text);
+        let made = georef(&folder, &[]);
+        let said = String::from_utf8_lossy(&made.stderr);
+        assert!(made.status.success(), "{said}");
+        let summary: serde_json::Value = serde_json::from_slice(&made.stdout).unwrap();
+        for (name, units) in [
+            ("metres_per_unit", 1.0),
+            ("rms_m", 2.5),
+            ("rms_left_out_m", 10.0),
+        ] {
+            let share = summary[name].as_f64().unwrap() / (units * unit);
+            assert!(
+                (share - 1.0).abs() < 2e-3,
+                "{code}, {name}: {share}, {summary}"
+            );
+        }
+        let first = &summary["points"][0];
+        assert_eq!(first["x"].as_f64(), Some(x + 10.0));
+    }
 }
