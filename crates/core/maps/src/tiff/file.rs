@@ -157,7 +157,7 @@ impl TiffFile {
             let mut packed =
                 (self.source.read(offset, count as usize)).map_err(|e| blame.read(e))?;
             if layout.bit_order == FillOrder::LeastFirst {
-                (packed.iter_mut()).for_each(|byte| *byte = byte.reverse_bits());
+                packed = packed.into_iter().map(u8::reverse_bits).collect();
             }
             let expected = layout
                 .kind
