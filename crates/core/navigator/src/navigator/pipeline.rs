@@ -598,3 +598,7 @@ fn footprint(model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
 #[cfg(test)]
 #[path = "pipeline/mount_tests.rs"]
 mod mount_tests;
+#[cfg(test)]
+#[path = "pipeline/step_tests.rs"]
+mod step_tests;
+

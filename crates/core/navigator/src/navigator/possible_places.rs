@@ -94,6 +94,17 @@ impl PossiblePlaces {
         }
     }
 
+    /// Two places: that which the navigator goes by, of the probability `main`, and that of `other`.
+    #[cfg(test)]
+    pub fn two(main: f64, other: Box<dyn Engine>) -> Self {
+        let follower = Follower::new(pilotage_vision::registration::FollowSettings::default());
+        Self {
+            main,
+            unforeseen: None,
+            others: vec![PlaceBelief::new(other, follower, 1.0 - main)],
+        }
+    }
+
     /// Moves all along.
     pub fn moved(&mut self, input: &ControlInput, dt: f64) {
         let moves = |belief: &mut PlaceBelief| {
@@ -231,9 +242,12 @@ impl PossiblePlaces {
         }))
     }
 
-    /// Estimate of the likeliest place of the aircraft while that is open: the mean of the heaviest belief,
+    /// Estimate of the likeliest place of the aircraft, only while that is open: the mean of the heaviest belief,
     /// with the spread of all about it, all of one state. `main` is what the navigator goes by.
     pub fn likeliest(&self, main: &Estimate) -> Option<Estimate> {
+        if !self.are_open() {
+            return None;
+        }
         let mut all = vec![(self.main, main.clone())];
         let others = self.unforeseen.iter().chain(&self.others);
         all.extend(others.map(|belief| (belief.weight, belief.engine.state())));

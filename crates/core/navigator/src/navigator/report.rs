@@ -265,8 +265,8 @@ pub struct StepReport {
     /// After the prediction.
     pub predicted: Estimate,
     /// After the correction; equal to `predicted` where there was none. While it is open how late the
-    /// pictures come, this belief spreads over all lags ([`super::SensorFault::MayBeLate`]), and the next step
-    /// begins without that.
+    /// pictures come, this belief spreads over all lags ([`super::SensorFault::MayBeLate`]), and while it is open at
+    /// which of several places the vehicle is, over all of them; the next step begins without that.
     pub after: Estimate,
     /// Sigma points.
     pub sigma: SigmaSets,

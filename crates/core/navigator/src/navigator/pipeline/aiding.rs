@@ -111,9 +111,6 @@ impl Navigator {
                 shared.note(observation);
             }
         }
-        if let Some(likeliest) = self.possible.are_open().then(|| self.engine.state()) {
-            report.after = self.possible.likeliest(&likeliest).unwrap_or(likeliest);
-        }
         Ok(())
     }
 

@@ -14,8 +14,11 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Pyramid;
 
 impl Navigator {
-    /// Adds to the report what is doubted after all, and its effect on the estimate.
+    /// Adds to the report what is open or doubted after all, and its effect on the estimate.
     pub(super) fn conclude(&self, report: &mut StepReport) {
+        if let Some(likeliest) = self.possible.likeliest(&report.after) {
+            report.after = likeliest;
+        }
         if let Some(lag) = &self.lag {
             report.doubts.extend(lag.doubt());
             if let Some(together) = lag.together(self.engine.as_ref(), &report.after) {

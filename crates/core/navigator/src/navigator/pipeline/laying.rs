@@ -82,9 +82,6 @@ impl Navigator {
         )?;
         let Some(sure) = sure else {
             laid.report.left_open(self.possible.words());
-            if let Some(likeliest) = self.possible.likeliest(&report.after) {
-                report.after = likeliest;
-            }
             return Ok((laid, None));
         };
         let Sure {
