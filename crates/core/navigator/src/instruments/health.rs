@@ -1,21 +1,35 @@
 //! Instruments that stand still or fall silent in the air.
 
 use super::series::{LONGEST_GAP, Series, SeriesValue};
-use super::statistics::quantile;
+use super::statistics::quantile_of_others;
 use pilotage_flight::{Finding, Severity, moment};
 
 /// Shortest time for which a sensor that moves shows the same number when it is stuck, seconds.
 const STUCK: f64 = 3.0;
 /// Times the longest usual stand-still from which on it is unusual.
 const UNUSUAL: f64 = 4.0;
-/// Fewest samples of a stuck stretch.
+/// Fewest samples of a stuck stretch, and fewest other numbers that a sensor must have shown to be one that moves.
 const FEWEST: usize = 5;
+/// Share of the stand-stills that are usual, and from how many on there are unusual ones among them.
+const USUAL: f64 = 0.99;
+const MANY: usize = 100;
+
+/// A stretch with one and the same number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StuckStretch {
+    /// Its first sample, seconds.
+    pub begin: f64,
+    /// From when it could be noticed, seconds.
+    pub noticed: f64,
+    /// Its last sample, seconds.
+    pub end: f64,
+}
 
 /// Stretches of `series` in the air with one and the same number: from when it could be noticed to the last
 /// sample that shows it, seconds.
 ///
 /// A sensor read out more often than it measures repeats itself as well, and a coarse one stands still in calm
-/// air: what is usual is learnt from the series.
+/// air: what is usual is learnt from the rest of the series.
 ///
 /// ```
 /// use pilotage_navigator::instruments::{Series, stuck};
@@ -31,6 +45,12 @@ const FEWEST: usize = 5;
 /// assert!(spans.len() == 1 && (spans[0].0 - 23.0).abs() < 0.2 && (spans[0].1 - 39.9).abs() < 1e-9);
 /// ```
 pub fn stuck(series: &Series, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let stretches = stuck_stretches(series, airborne).into_iter();
+    stretches.map(|s| (s.noticed, s.end)).collect()
+}
+
+/// The same stretches with their beginnings.
+pub fn stuck_stretches(series: &Series, airborne: &[(f64, f64)]) -> Vec<StuckStretch> {
     let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
     let mut runs: Vec<(f64, f64, usize)> = Vec::new();
     let mut last = None;
@@ -41,12 +61,25 @@ pub fn stuck(series: &Series, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
         }
         last = Some(value);
     }
-    let lengths = runs.iter().map(|(from, to, _)| to - from).collect();
-    let longest = (UNUSUAL * quantile(lengths, 0.99)).max(STUCK);
-    let stuck = runs
+    if runs.len() <= FEWEST {
+        return Vec::new();
+    }
+    let mut lengths: Vec<f64> = runs.iter().map(|(from, to, _)| to - from).collect();
+    lengths.sort_by(f64::total_cmp);
+    // Of few others the longest is usual, too.
+    let share = if lengths.len() > MANY { USUAL } else { 1.0 };
+    let long = runs
         .iter()
-        .filter(|(from, to, count)| to - from >= longest && *count >= FEWEST);
-    stuck.map(|(from, to, _)| (from + longest, *to)).collect()
+        .filter(|(from, to, count)| to - from >= STUCK && *count >= FEWEST);
+    long.filter_map(|(from, to, _)| {
+        let longest = (UNUSUAL * quantile_of_others(&lengths, to - from, share)).max(STUCK);
+        (to - from >= longest).then_some(StuckStretch {
+            begin: *from,
+            noticed: from + longest,
+            end: *to,
+        })
+    })
+    .collect()
 }
 
 /// Pauses of `series` in the air that are longer than it is held, seconds.
@@ -140,6 +173,27 @@ mod tests {
         assert_eq!(spans.len(), 1);
         assert!((spans[0].0 - 23.0).abs() < 0.11 && (spans[0].1 - 31.9).abs() < 0.11);
         assert_eq!(stuck(&series(stays), &[(0.0, 20.0), (40.0, 60.0)]), []);
+    }
+
+    #[test]
+    fn a_rare_sensor_that_sticks_early_is_noticed_and_legs_of_a_survey_are_not() {
+        let every_second = |last: u32, value: &dyn Fn(f64) -> f64| {
+            let mut series = Series::new();
+            for time in (0..last).map(f64::from) {
+                series.push(time, value(time));
+            }
+            stuck(&series, &[(0.0, f64::from(last))])
+        };
+        let sticks = |t: f64| if t < 60.0 { 18.0 + t.sin() } else { 11.0 };
+        assert_eq!(every_second(660, &sticks), [(63.0, 659.0)]);
+        // A heading in whole degrees on legs of a minute, with turns between them.
+        let legs = |t: f64| {
+            let (leg, within) = ((t / 70.0).floor(), t % 70.0);
+            180.0 * (leg % 2.0) + 18.0 * (within - 60.0).max(0.0)
+        };
+        assert_eq!(every_second(280, &legs), []);
+        // Nothing is known of one that never moved.
+        assert_eq!(every_second(100, &|_| 11.0), []);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
-use crate::instruments::{Series, quantile, stuck};
+use crate::instruments::{Series, quantile, quantile_of_others, stuck_stretches};
 use pilotage_base::frames::wrap_pi;
 use pilotage_estimation::vehicle::ControlInput;
 use pilotage_flight::stretches::STANDING;
@@ -15,6 +15,15 @@ const SHORTEST_SILENCE: f64 = 1.5;
 const INTERVALS: f64 = 5.0;
 /// Fewest samples of a channel that can fall silent: what is told once or twice holds for all of the flight.
 const FEWEST: usize = 5;
+
+/// Channels that drive a vehicle or aim its camera.
+const NEEDED: [ChannelName; 3] = [
+    ChannelName::Airspeed,
+    ChannelName::Heading,
+    ChannelName::HeightAboveGround,
+];
+/// Those of them that never stand still in the air.
+const NEVER_STILL: [ChannelName; 2] = [ChannelName::Airspeed, ChannelName::Heading];
 
 /// Time over which turns are looked at, seconds: as long as turns take.
 const WANDER: f64 = 5.0;
@@ -101,22 +110,41 @@ impl Doubt {
     }
 }
 
-/// Why a channel is not believed, and its stretches, seconds: they follow each other and do not overlap.
+/// A stretch in which a channel is not believed, seconds.
+#[derive(Clone, Copy, Debug)]
+struct DoubtedStretch {
+    /// When the fault could be noticed.
+    since: f64,
+    /// When it ends.
+    until: f64,
+}
+
+/// Why a channel is not believed, and when not: the stretches follow each other and do not overlap.
 #[derive(Debug)]
 struct Doubted {
     channel: ChannelName,
     why: SensorFault,
-    stretches: Vec<(f64, f64)>,
+    stretches: Vec<DoubtedStretch>,
 }
 
 impl Doubted {
+    fn stretch(&self, time: f64) -> Option<DoubtedStretch> {
+        let begun = self.stretches.partition_point(|s| s.since <= time);
+        let stretch = *self.stretches.get(begun.checked_sub(1)?)?;
+        // The sample that ends a silence is one to believe; the last that shows a stuck number is not.
+        let ends = if self.why == SensorFault::Silent {
+            time >= stretch.until
+        } else {
+            time > stretch.until
+        };
+        (!ends).then_some(stretch)
+    }
+
     fn at(&self, time: f64) -> Option<Doubt> {
-        let begun = self.stretches.partition_point(|(since, _)| *since <= time);
-        let (since, until) = *self.stretches.get(begun.checked_sub(1)?)?;
-        (time <= until).then_some(Doubt {
+        self.stretch(time).map(|stretch| Doubt {
             instrument: Instrument::Channel(self.channel),
             why: self.why,
-            since,
+            since: stretch.since,
         })
     }
 }
@@ -137,39 +165,36 @@ impl Inputs {
     pub(super) fn of(flight: &Flight) -> Self {
         let span = (flight.start.time, flight.span().1);
         let mut doubted = Vec::new();
-        for name in [
-            ChannelName::Airspeed,
-            ChannelName::Heading,
-            ChannelName::HeightAboveGround,
-        ] {
+        for name in NEEDED {
             let Some(channel) = flight.channel(name) else {
                 continue;
             };
-            let mut say = |why, stretches: Vec<(f64, f64)>| {
+            let mut say = |why, stretches: Vec<DoubtedStretch>| {
                 doubted.push(Doubted {
                     channel: name,
                     why,
                     stretches,
                 });
             };
-            if name != ChannelName::HeightAboveGround {
+            if NEVER_STILL.contains(&name) {
                 say(SensorFault::Stuck, stretches_stuck(channel, span));
             }
             say(SensorFault::Silent, silences(channel, span));
         }
         doubted.retain(|doubted| !doubted.stretches.is_empty());
-        let airspeed = flight.channel(ChannelName::Airspeed);
-        let cruise = airspeed.and_then(|channel| {
-            let is_believed = |time| doubt(&doubted, channel.name, time).is_none();
+        let flown = |name, least: f64| {
+            let channel = flight.channel(name)?;
+            let is_believed = |time| doubt(&doubted, name, time).is_none();
             let samples = channel.times.iter().zip(&channel.values);
-            let flown = samples.filter(|(t, v)| **v > STANDING && is_believed(**t));
+            let flown = samples.filter(|(t, v)| **v > least && is_believed(**t));
             let flown: Vec<f64> = flown.map(|(_, v)| *v).collect();
-            cruise(&flown)
-        });
+            usual(&flown)
+        };
+        let cruise = flown(ChannelName::Airspeed, STANDING);
         let heading = flight.channel(ChannelName::Heading);
         Self {
-            doubted,
             cruise,
+            doubted,
             wander: heading.map_or(0.0, wander),
         }
     }
@@ -187,7 +212,7 @@ impl Inputs {
     /// Airspeed to assume while none can be believed, and its standard deviation, m/s: `None` where nothing
     /// is ever doubted, or no flight was seen.
     pub(super) fn cruise(&self) -> Option<(f64, f64)> {
-        let matters = |doubted: &Doubted| doubted.channel != ChannelName::HeightAboveGround;
+        let matters = |doubted: &Doubted| NEVER_STILL.contains(&doubted.channel);
         self.cruise.filter(|_| self.doubted.iter().any(matters))
     }
 
@@ -199,27 +224,26 @@ impl Inputs {
         let is_believed = |name| self.doubt(name, middle).is_none();
         let mut attitude = flight.attitude(middle).unwrap_or_default();
         let mut heading_deviation = 0.0;
-        if let Some(doubt) = self.doubt(ChannelName::Heading, middle) {
+        if let Some(stretch) = stretch(&self.doubted, ChannelName::Heading, middle) {
             // What comes after the stretch is not known in it.
             let channel = flight.channel(ChannelName::Heading);
-            let last = channel.and_then(|c| c.latest(doubt.since));
+            let last = channel.and_then(|c| c.latest(stretch.since));
             attitude.yaw = last.unwrap_or(attitude.yaw);
-            heading_deviation = (self.wander * (middle - doubt.since)).sqrt();
+            heading_deviation = (self.wander * (middle - stretch.since)).sqrt();
         }
         let heading = |time| flight.attitude(time).unwrap_or_default().yaw;
         let turned = wrap_pi(heading(end) - heading(begin));
-        let north = value(ChannelName::VelocityNorth);
-        let airspeed = value(ChannelName::Airspeed);
+        let believed = |name| value(name).filter(|_| is_believed(name));
         ControlInput {
-            airspeed: airspeed.filter(|_| is_believed(ChannelName::Airspeed)),
+            airspeed: believed(ChannelName::Airspeed),
             attitude,
             turn_rate: if dt > 0.0 && heading_deviation == 0.0 {
                 turned / dt
             } else {
                 0.0
             },
-            ground_velocity: north
-                .zip(value(ChannelName::VelocityEast))
+            ground_velocity: believed(ChannelName::VelocityNorth)
+                .zip(believed(ChannelName::VelocityEast))
                 .map(|(north, east)| Vector2::new(north, east)),
             heading_deviation,
         }
@@ -231,7 +255,12 @@ fn doubt(doubted: &[Doubted], channel: ChannelName, time: f64) -> Option<Doubt> 
     of_channel.find_map(|doubted| doubted.at(time))
 }
 
-fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
+fn stretch(doubted: &[Doubted], channel: ChannelName, time: f64) -> Option<DoubtedStretch> {
+    let mut of_channel = doubted.iter().filter(|doubted| doubted.channel == channel);
+    of_channel.find_map(|doubted| doubted.stretch(time))
+}
+
+fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
     let is_airspeed = channel.name == ChannelName::Airspeed;
     let mut series = Series::new();
     for (time, value) in channel.times.iter().zip(&channel.values) {
@@ -239,21 +268,41 @@ fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
             series.push(*time, *value);
         }
     }
-    stuck(&series, &[span])
+    let stuck = stuck_stretches(&series, &[span]).into_iter();
+    stuck
+        .map(|stretch| DoubtedStretch {
+            since: stretch.noticed,
+            until: stretch.end,
+        })
+        .collect()
 }
 
 /// Pauses of a channel and the time after its end: from when each could be noticed to the next sample, seconds.
-fn silences(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
+///
+/// A pause is judged by the other intervals: among few it would be a measure of itself.
+fn silences(channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
+    let Some(end) = channel.times.last().copied() else {
+        return Vec::new();
+    };
     if channel.times.len() < FEWEST {
         return Vec::new();
     }
-    let steps = channel.times.windows(2).map(|pair| pair[1] - pair[0]);
-    let longest = (INTERVALS * quantile(steps.collect(), 0.9)).max(SHORTEST_SILENCE);
-    let nexts = channel.times.iter().skip(1).copied().chain([span.1]);
-    let pauses = channel.times.iter().copied().zip(nexts);
+    let pauses = channel.times.windows(2).map(|pair| (pair[0], pair[1]));
+    let mut steps: Vec<f64> = pauses.clone().map(|(last, next)| next - last).collect();
+    steps.sort_by(f64::total_cmp);
+    // One that the end of the flight cuts short is no interval; nothing comes after it.
+    let last = (span.1 - end > 0.0).then_some((end, f64::INFINITY));
     pauses
-        .filter(|(last, next)| next - last > longest && *next > span.0)
-        .map(|(last, next)| (last + longest, next))
+        .chain(last)
+        .filter(|(last, next)| next.min(span.1) - last > SHORTEST_SILENCE && *next > span.0)
+        .filter_map(|(last, next)| {
+            let usual = quantile_of_others(&steps, next - last, 0.9);
+            let longest = (INTERVALS * usual).max(SHORTEST_SILENCE);
+            (next.min(span.1) - last > longest).then_some(DoubtedStretch {
+                since: last + longest,
+                until: next,
+            })
+        })
         .collect()
 }
 
@@ -270,13 +319,14 @@ fn wander(heading: &Channel) -> f64 {
     turns.iter().sum::<f64>() / turns.len().max(1) as f64
 }
 
-fn cruise(airspeeds: &[f64]) -> Option<(f64, f64)> {
-    if airspeeds.len() < FEWEST {
+/// The usual one of `values`, and how far they stray from it.
+fn usual(values: &[f64]) -> Option<(f64, f64)> {
+    if values.len() < FEWEST {
         return None;
     }
-    let usual = quantile(airspeeds.to_vec(), 0.5);
-    let deviations = airspeeds.iter().map(|v| (v - usual).powi(2)).sum::<f64>();
-    Some((usual, (deviations / airspeeds.len() as f64).sqrt()))
+    let usual = quantile(values.to_vec(), 0.5);
+    let deviations = values.iter().map(|v| (v - usual).powi(2)).sum::<f64>();
+    Some((usual, (deviations / values.len() as f64).sqrt()))
 }
 
 #[cfg(test)]
@@ -372,6 +422,21 @@ mod tests {
         let inputs = Inputs::of(&flight);
         assert!(inputs.doubted.is_empty(), "{:?}", inputs.doubted);
     }
+
+    #[test]
+    fn a_pause_among_few_readings_is_judged_by_the_others() {
+        let mut flight = flight();
+        let heading = channel(&mut flight, ChannelName::Heading);
+        // Photos every two seconds, and half a minute between two strips.
+        heading.times = vec![0.0, 2.0, 4.0, 34.0, 36.0, 38.0];
+        heading.values = vec![0.0, 0.1, 0.0, 3.1, 3.0, 3.1];
+        let inputs = Inputs::of(&flight);
+        let heading = |time| inputs.doubt(ChannelName::Heading, time);
+        assert_eq!(heading(10.0), None);
+        assert!((heading(20.0).unwrap().since - 14.0).abs() < 1e-9);
+        assert_eq!(heading(34.0), None, "there is one again");
+    }
+
     #[test]
     fn a_doubt_names_its_instrument_and_what_is_wrong_with_it() {
         let words = |instrument, why| {
