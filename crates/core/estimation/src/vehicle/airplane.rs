@@ -4,6 +4,7 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::ControlInput;
+use super::held_heading::{AIRSPEED_MEMORY, HeldHeading};
 
 /// Trust in the instruments of an airplane to tell its motion through the air.
 ///
@@ -47,8 +48,8 @@ pub(super) struct AirMotion {
     pub(super) airspeed_noise_density: f64,
     /// Whether the airspeed is a reading, from which its bias was taken.
     pub(super) measured: bool,
-    /// Density of what a lost heading adds on each axis, m/√s.
-    pub(super) stray_noise_density: f64,
+    /// Variances that a held heading adds along and across it each second, m²/s.
+    pub(super) strayed: [f64; 2],
 }
 
 impl AirMotion {
@@ -63,12 +64,9 @@ impl AirMotion {
     }
 }
 
-/// Time for which a strayed airspeed stays strayed, seconds.
-pub const AIRSPEED_MEMORY: f64 = 10.0;
-
 /// White noise that moves a vehicle as far in the long run as a velocity that strays by `deviation` m/s for
 /// [`AIRSPEED_MEMORY`]: σ √(2τ), m/√s.
-fn density_of(deviation: f64) -> f64 {
+pub(super) fn density_of(deviation: f64) -> f64 {
     deviation * (2.0 * AIRSPEED_MEMORY).sqrt()
 }
 
@@ -97,30 +95,26 @@ impl AirData {
             Some(reading) => (reading - airspeed_bias, self.airspeed_noise_density),
             None => (self.cruise_airspeed, self.cruise_airspeed_noise_density),
         };
-        // Of a heading that strays by a Gaussian angle, e^(-σ²/2) of the speed is left along it on average;
-        // the rest, of mean square (1 - e^(-σ²)) V², may point anywhere.
-        let left = (-0.5 * input.heading_deviation.powi(2)).exp();
-        let stray = airspeed.abs() * (0.5 * (1.0 - left * left)).sqrt();
+        let held = HeldHeading::of(input);
         AirMotion {
             ahead,
-            airspeed: left * airspeed,
+            airspeed: held.left * airspeed,
             airspeed_noise_density,
-            stray_noise_density: density_of(stray),
+            strayed: held.rates(airspeed),
             measured: input.airspeed.is_some(),
         }
     }
 
     /// Covariance of the position (north, east) that noise adds in `dt` seconds, m².
     pub(super) fn position_noise(&self, motion: &AirMotion, dt: f64) -> nalgebra::Matrix2<f64> {
-        let along = motion.airspeed_noise_density;
-        let across = motion.airspeed * self.heading_noise_density;
+        let [along, across] = motion.strayed;
+        let along = along + motion.airspeed_noise_density.powi(2);
+        let across = across + (motion.airspeed * self.heading_noise_density).powi(2);
         let (ahead, right) = (motion.ahead, motion.right());
-        let rest = self
-            .position_noise_density
-            .hypot(motion.stray_noise_density);
-        (ahead * ahead.transpose() * (along * along)
-            + right * right.transpose() * (across * across)
-            + nalgebra::Matrix2::from_diagonal_element(rest * rest))
+        let rest = self.position_noise_density.powi(2);
+        (ahead * ahead.transpose() * along
+            + right * right.transpose() * across
+            + nalgebra::Matrix2::from_diagonal_element(rest))
             * dt
     }
 }

@@ -25,6 +25,11 @@ pub struct ControlInput {
     /// Standard deviation of the heading while it is not read but held from earlier, radians; 0 where it is
     /// read.
     pub heading_deviation: f64,
+    /// Time since a heading was read, seconds, while it is held.
+    pub heading_held: f64,
+    /// Standard deviation of roll and pitch, each, while they are not read but taken to be what they are usually,
+    /// radians; 0 where they are read.
+    pub tilt_deviation: f64,
 }
 
 impl ControlInput {

@@ -113,6 +113,8 @@ impl Doubt {
 /// A stretch in which a channel is not believed, seconds.
 #[derive(Clone, Copy, Debug)]
 struct DoubtedStretch {
+    /// When it was right last.
+    right: f64,
     /// When the fault could be noticed.
     since: f64,
     /// When it ends.
@@ -223,13 +225,14 @@ impl Inputs {
         let value = |name| flight.value(name, middle);
         let is_believed = |name| self.doubt(name, middle).is_none();
         let mut attitude = flight.attitude(middle).unwrap_or_default();
-        let mut heading_deviation = 0.0;
+        let (mut heading_deviation, mut heading_held) = (0.0, 0.0);
         if let Some(stretch) = stretch(&self.doubted, ChannelName::Heading, middle) {
             // What comes after the stretch is not known in it.
             let channel = flight.channel(ChannelName::Heading);
             let last = channel.and_then(|c| c.latest(stretch.since));
             attitude.yaw = last.unwrap_or(attitude.yaw);
-            heading_deviation = (self.wander * (middle - stretch.since)).sqrt();
+            heading_held = middle - stretch.right;
+            heading_deviation = (self.wander * heading_held).sqrt();
         }
         let heading = |time| flight.attitude(time).unwrap_or_default().yaw;
         let turned = wrap_pi(heading(end) - heading(begin));
@@ -246,6 +249,8 @@ impl Inputs {
                 .zip(believed(ChannelName::VelocityEast))
                 .map(|(north, east)| Vector2::new(north, east)),
             heading_deviation,
+            heading_held,
+            tilt_deviation: 0.0,
         }
     }
 }
@@ -271,6 +276,7 @@ fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
     let stuck = stuck_stretches(&series, &[span]).into_iter();
     stuck
         .map(|stretch| DoubtedStretch {
+            right: stretch.begin,
             since: stretch.noticed,
             until: stretch.end,
         })
@@ -299,6 +305,7 @@ fn silences(channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
             let usual = quantile_of_others(&steps, next - last, 0.9);
             let longest = (INTERVALS * usual).max(SHORTEST_SILENCE);
             (next.min(span.1) - last > longest).then_some(DoubtedStretch {
+                right: last,
                 since: last + longest,
                 until: next,
             })
@@ -396,7 +403,8 @@ mod tests {
         assert!(input(52.0).airspeed.is_some());
         let (soon, later) = (input(62.0).heading_deviation, input(80.0).heading_deviation);
         assert!(
-            0.0 < soon && 4.0 * soon < later && later < 3.0,
+            // Since 59.9 s, when it was read last: the root of 20.1 s against that of 2.1 s.
+            0.0 < soon && (later / soon - 3.094).abs() < 0.01 && later < 3.0,
             "{soon} {later}"
         );
         let told = inputs.doubts(70.0);
