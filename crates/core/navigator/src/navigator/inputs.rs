@@ -17,10 +17,14 @@ const INTERVALS: f64 = 5.0;
 const FEWEST: usize = 5;
 
 /// Channels that drive a vehicle or aim its camera.
-const NEEDED: [ChannelName; 3] = [
+const NEEDED: [ChannelName; 7] = [
     ChannelName::Airspeed,
     ChannelName::Heading,
     ChannelName::HeightAboveGround,
+    ChannelName::Roll,
+    ChannelName::Pitch,
+    ChannelName::VelocityNorth,
+    ChannelName::VelocityEast,
 ];
 /// Those of them that never stand still in the air.
 const NEVER_STILL: [ChannelName; 2] = [ChannelName::Airspeed, ChannelName::Heading];
@@ -160,6 +164,8 @@ pub(super) struct Inputs {
     cruise: Option<(f64, f64)>,
     /// Growth rate of the mean square of the angle by which the heading turns, rad²/s.
     wander: f64,
+    /// Roll and pitch that are flown usually, where one is doubted, and their standard deviations, radians.
+    tilts: [Option<(f64, f64)>; 2],
 }
 
 impl Inputs {
@@ -193,9 +199,14 @@ impl Inputs {
             usual(&flown)
         };
         let cruise = flown(ChannelName::Airspeed, STANDING);
+        let tilts = [ChannelName::Roll, ChannelName::Pitch].map(|name| {
+            let is_doubted = doubted.iter().any(|doubted| doubted.channel == name);
+            is_doubted.then(|| flown(name, f64::NEG_INFINITY)).flatten()
+        });
         let heading = flight.channel(ChannelName::Heading);
         Self {
             cruise,
+            tilts,
             doubted,
             wander: heading.map_or(0.0, wander),
         }
@@ -234,6 +245,17 @@ impl Inputs {
             heading_held = middle - stretch.right;
             heading_deviation = (self.wander * heading_held).sqrt();
         }
+        let mut tilt_deviation = 0.0_f64;
+        let [usual_roll, usual_pitch] = self.tilts;
+        for (name, angle, usual) in [
+            (ChannelName::Roll, &mut attitude.roll, usual_roll),
+            (ChannelName::Pitch, &mut attitude.pitch, usual_pitch),
+        ] {
+            if let Some((usual, deviation)) = usual.filter(|_| !is_believed(name)) {
+                *angle = usual;
+                tilt_deviation = tilt_deviation.max(deviation);
+            }
+        }
         let heading = |time| flight.attitude(time).unwrap_or_default().yaw;
         let turned = wrap_pi(heading(end) - heading(begin));
         let believed = |name| value(name).filter(|_| is_believed(name));
@@ -250,7 +272,7 @@ impl Inputs {
                 .map(|(north, east)| Vector2::new(north, east)),
             heading_deviation,
             heading_held,
-            tilt_deviation: 0.0,
+            tilt_deviation,
         }
     }
 }
@@ -443,6 +465,36 @@ mod tests {
         assert_eq!(heading(10.0), None);
         assert!((heading(20.0).unwrap().since - 14.0).abs() < 1e-9);
         assert_eq!(heading(34.0), None, "there is one again");
+    }
+
+    #[test]
+    fn a_velocity_that_falls_silent_is_none_and_a_tilt_is_what_it_is_usually() {
+        let mut flight = flight();
+        let times: Vec<f64> = (0..200).map(|i| 0.1 * f64::from(i)).collect();
+        for (name, middle) in [
+            (ChannelName::VelocityNorth, 0.6),
+            (ChannelName::VelocityEast, 0.0),
+            (ChannelName::Roll, 0.0),
+            (ChannelName::Pitch, -0.1),
+        ] {
+            let values = (0..200).map(|i| middle + if i % 2 == 0 { 0.05 } else { -0.05 });
+            flight.channels.push(Channel {
+                name,
+                times: times.clone(),
+                values: values.collect(),
+            });
+        }
+        let inputs = Inputs::of(&flight);
+        let input = |time| inputs.between(&flight, time - 0.05, time + 0.05);
+        assert!(input(19.0).ground_velocity.is_some() && input(19.0).tilt_deviation == 0.0);
+        let silent = input(30.0);
+        assert_eq!(silent.ground_velocity, None);
+        assert!((silent.tilt_deviation - 0.05).abs() < 0.051, "{silent:?}");
+        assert!(silent.tilt_deviation > 0.04 && silent.attitude.pitch < 0.0);
+        let told: Vec<String> = inputs.doubts(30.0).iter().map(Doubt::words).collect();
+        assert_eq!(told.len(), 4, "{told:?}");
+        assert_eq!(told[2], "velocity north is silent since 21.4 s");
+        assert_eq!(inputs.cruise(), None);
     }
 
     #[test]

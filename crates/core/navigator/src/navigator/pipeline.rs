@@ -429,7 +429,12 @@ impl Navigator {
 
     /// Why no landmark can be looked for at `time`, if so: nobody knows how the camera looks at the ground.
     fn blindness(&self, time: f64) -> Option<String> {
-        let needed = [ChannelName::Heading, ChannelName::HeightAboveGround];
+        let needed = [
+            ChannelName::Heading,
+            ChannelName::HeightAboveGround,
+            ChannelName::Roll,
+            ChannelName::Pitch,
+        ];
         let doubt = needed
             .into_iter()
             .find_map(|name| self.inputs.doubt(name, time))

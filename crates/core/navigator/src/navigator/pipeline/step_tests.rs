@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_base::frames::GroundPoint;
 use pilotage_flight::{Channel, ChannelName, Flight, NoPictures, StartFix};
+use pilotage_mission::settings::VehicleChoice;
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Blank;
 
@@ -66,4 +67,34 @@ fn while_several_places_are_open_every_step_tells_of_all_of_them() {
         let deviation = step.after.covariance[(0, 0)].sqrt();
         assert!((178.0..185.0).contains(&deviation), "{deviation}");
     }
+}
+
+#[test]
+fn a_velocity_that_falls_silent_on_a_leg_is_told_and_the_ellipse_holds_the_next_leg() {
+    let channels = vec![
+        channel(ChannelName::Heading, 0.0, (0.0, 30.0)),
+        channel(ChannelName::VelocityNorth, 0.6, (0.0, 20.0)),
+        channel(ChannelName::VelocityEast, 0.0, (0.0, 20.0)),
+    ];
+    let mut settings = NavigatorSettings {
+        vehicle: VehicleChoice::VelocityDriven,
+        ..NavigatorSettings::default()
+    };
+    // Of this vehicle the bias of its velocity and its walk.
+    (settings.start.wind, settings.process.wind) = (0.1, 0.01);
+    let run = navigator(flight(channels, 0.0), &settings)
+        .fly(&mut NoPictures, &|| 0.0)
+        .unwrap();
+    let last = run.steps.last().unwrap();
+    // It turned to the east where the velocity fell silent: 12 m north, 6 m east.
+    let off = last.after.position().distance(&GroundPoint::new(12.0, 6.0));
+    assert!(
+        off < last.radius_held(),
+        "{off} m, {} m",
+        last.radius_held()
+    );
+    let told: Vec<String> = last.doubts.iter().map(super::super::Doubt::words).collect();
+    assert_eq!(told[0], "velocity north is silent since 21.5 s");
+    let before = run.step_at(20.0).unwrap();
+    assert!(before.doubts.is_empty() && before.radius_held() < 10.0);
 }
