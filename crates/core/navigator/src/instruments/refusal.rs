@@ -4,8 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use pilotage_flight::{Finding, Severity, moment};
 
-/// Longest pause between two refusals of one stretch, seconds.
+/// Longest pause between two refusals of one stretch, seconds …
 const LONGEST_PAUSE: f64 = 2.0;
+/// … unless measurements are rarer: so many of their mean intervals.
+const INTERVALS: f64 = 5.0;
 
 /// Kind of measurement that was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -94,12 +96,37 @@ pub(super) fn findings(all: &[RefusedStretch]) -> Vec<Finding> {
     sources.into_iter().filter_map(of_source).collect()
 }
 
+/// Times of the measurements of one source, seconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct SourceTimes {
+    /// The first and the latest.
+    span: Option<(f64, f64)>,
+    /// Intervals between all of them.
+    intervals: u32,
+    /// Since when they have been refused without a break.
+    refused: Option<f64>,
+}
+
+impl SourceTimes {
+    /// Notes a measurement at `time`; whether it follows the one before without a pause.
+    fn note(&mut self, time: f64) -> bool {
+        let Some((first, latest)) = self.span else {
+            self.span = Some((time, time));
+            return true;
+        };
+        let usual = (latest - first) / f64::from(self.intervals.max(1));
+        self.span = Some((first, time));
+        self.intervals += 1;
+        time - latest <= LONGEST_PAUSE.max(INTERVALS * usual)
+    }
+}
+
 /// Refusals of a run, put together by stretch.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Refusals {
     all: Vec<RefusedStretch>,
-    /// Since when each source has been refused without a break, seconds.
-    since: [Option<f64>; 3],
+    /// Measurements of each source.
+    times: [SourceTimes; 3],
 }
 
 impl Refusals {
@@ -109,13 +136,21 @@ impl Refusals {
     }
 
     /// Notes that a measurement was taken in.
-    pub(super) fn accept(&mut self, source: RefusedKind, _time: f64) {
-        self.since[source as usize] = None;
+    pub(super) fn accept(&mut self, source: RefusedKind, time: f64) {
+        let times = &mut self.times[source as usize];
+        times.note(time);
+        times.refused = None;
     }
 
     /// Notes a refusal; for how many seconds they have gone on.
+    ///
+    /// A receiver that comes back after a pause may be wrong in another way, and has to insist anew. Landmarks come in
+    /// passes: the next one refused is another witness, whenever it is met.
     pub(super) fn refuse(&mut self, source: RefusedKind, time: f64, distance: f64) -> f64 {
-        let since = *self.since[source as usize].get_or_insert(time);
+        let times = &mut self.times[source as usize];
+        let goes_on = times.note(time) || source == RefusedKind::Fix;
+        let since = times.refused.filter(|_| goes_on).unwrap_or(time);
+        times.refused = Some(since);
         let open = self.all.iter_mut().rev().find(|r| r.source == source);
         match open {
             Some(refusal) if time - refusal.span.1 <= LONGEST_PAUSE => {
@@ -135,8 +170,8 @@ impl Refusals {
     }
 
     /// Notes that the refused ones are believed from now on.
-    pub(super) fn believe(&mut self, source: RefusedKind, time: f64) {
-        self.accept(source, time);
+    pub(super) fn believe(&mut self, source: RefusedKind) {
+        self.times[source as usize].refused = None;
         if let Some(refusal) = self.all.iter_mut().rev().find(|r| r.source == source) {
             refusal.believed = true;
         }
@@ -146,6 +181,26 @@ impl Refusals {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_receiver_that_comes_back_after_a_pause_has_to_insist_anew() {
+        let mut refusals = Refusals::default();
+        assert_eq!(refusals.refuse(RefusedKind::Position, 1.0, 50.0), 0.0);
+        assert_eq!(refusals.refuse(RefusedKind::Position, 41.0, 150.0), 0.0);
+        assert_eq!(refusals.refuse(RefusedKind::Position, 42.0, 150.0), 1.0);
+        // One that measures every five seconds does not pause by that.
+        let mut slow = Refusals::default();
+        for k in 0..10 {
+            slow.accept(RefusedKind::Position, 5.0 * f64::from(k));
+        }
+        assert_eq!(slow.refuse(RefusedKind::Position, 50.0, 50.0), 0.0);
+        assert_eq!(slow.refuse(RefusedKind::Position, 55.0, 50.0), 5.0);
+        assert_eq!(slow.refuse(RefusedKind::Position, 95.0, 50.0), 0.0);
+        // A landmark that is refused a minute after another is another witness.
+        let mut fixes = Refusals::default();
+        fixes.refuse(RefusedKind::Fix, 1.0, 50.0);
+        assert_eq!(fixes.refuse(RefusedKind::Fix, 61.0, 50.0), 60.0);
+    }
 
     #[test]
     fn velocities_refused_in_many_stretches_are_one_note() {

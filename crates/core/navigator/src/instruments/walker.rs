@@ -281,7 +281,7 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
             self.filter.reset(&belief)?;
             let predicted = self.filter.predict_measurement(|x| Some(model(x)), noise)?;
             self.correct(&predicted, &measured)?;
-            self.refusals.believe(source, self.time);
+            self.refusals.believe(source);
         }
         Ok(())
     }
