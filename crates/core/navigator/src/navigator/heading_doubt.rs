@@ -55,6 +55,8 @@ pub struct HeadingDoubt {
     frames: Option<FrameRegistration>,
     /// The filter when a landmark was found last, or at the start, and when that was, seconds.
     confirmed: (Box<dyn Engine>, f64),
+    /// Way through the air by the heading since then, metres.
+    flown: f64,
     /// Looks in vain since then, how many are borne, and the landmarks.
     missed: usize,
     borne: usize,
@@ -84,6 +86,7 @@ impl HeadingDoubt {
         Ok(Self {
             frames: None,
             confirmed: (engine.faded(1.0)?, time),
+            flown: 0.0,
             missed: 0,
             borne: MISSED,
             landmarks: BTreeSet::new(),
@@ -111,6 +114,11 @@ impl HeadingDoubt {
             },
             settings,
         ));
+    }
+
+    /// Takes notice of a `way` through the air by the heading, metres.
+    pub fn moved(&mut self, way: f64) {
+        self.flown += way;
     }
 
     /// Takes notice of what became of the landmarks of a frame at `time`, after which the filter is `engine`.
@@ -151,6 +159,7 @@ impl HeadingDoubt {
     /// The heading is right, as far as is known at `time`, when the filter is `engine`.
     pub fn confirm(&mut self, engine: &dyn Engine, time: f64) -> Result<(), FilterError> {
         self.confirmed = (engine.faded(1.0)?, time);
+        self.flown = 0.0;
         self.missed = 0;
         self.landmarks.clear();
         self.readings.clear();
@@ -182,7 +191,7 @@ impl HeadingDoubt {
         self.last = time;
         self.tried += 1;
         let mut wide = predicted.clone();
-        let reach = strayed(flight, self.confirmed.1, time) / REACH;
+        let reach = self.flown / REACH;
         let deviation = (predicted.greatest_variance() + reach * reach)
             .sqrt()
             .min(FARTHEST);
@@ -252,28 +261,14 @@ impl HeadingDoubt {
         })
     }
 
-    /// Standard deviation of the place per axis that a heading of which nothing is known leaves at `time`
-    /// while it is contradicted, metres: zero else.
+    /// Standard deviation of the place per axis that a heading of which nothing is known leaves while it is
+    /// contradicted, metres: zero else.
     ///
     /// Whoever flew D through the air by a heading that is any angle δ off is 2 D |sin δ/2| from where he
     /// believes to be; its mean square is 2 D², half of it on each axis.
-    pub fn stray(&self, flight: &Flight, time: f64) -> f64 {
-        match self.contradicted {
-            Some(_) => strayed(flight, self.confirmed.1, time),
-            None => 0.0,
-        }
+    pub fn stray(&self) -> f64 {
+        self.contradicted.map_or(0.0, |_| self.flown)
     }
-}
-
-/// Way through the air from `since` to `time`, metres.
-fn strayed(flight: &Flight, since: f64, time: f64) -> f64 {
-    const STEP: f64 = 0.5;
-    let airspeed = |at| flight.value(ChannelName::Airspeed, at).unwrap_or(0.0);
-    let steps = ((time - since) / STEP).ceil().max(0.0) as u32;
-    let dt = (time - since) / f64::from(steps.max(1));
-    (0..steps)
-        .map(|i| airspeed(since + (f64::from(i) + 0.5) * dt) * dt)
-        .sum()
 }
 
 /// The angle on which the latest readings agree, and its variance, rad².
@@ -309,8 +304,10 @@ mod tests {
 
     use super::super::engine::engine;
     use super::*;
-    use pilotage_base::frames::{GroundPoint, GroundRect};
+    use pilotage_base::frames::{Attitude, GroundPoint, GroundRect};
+    use pilotage_estimation::vehicle::{ControlInput, Multirotor};
     use pilotage_flight::{Channel, StartFix};
+    use pilotage_mission::settings::VehicleChoice;
     use pilotage_raster::camera::CameraModel;
 
     fn readings(degrees: &[f64]) -> Vec<CompassReading> {
@@ -385,12 +382,46 @@ mod tests {
                 .unwrap();
         }
         assert_eq!(doubt.doubt().unwrap().why, SensorFault::Contradicted);
-        let stray = doubt.stray(&flight(), 10.0);
-        assert!((stray - 180.0).abs() < 1e-9, "{stray}");
+        // Ten seconds without an airspeed: 18 m/s are assumed.
+        let level = ControlInput::without_airspeed(Attitude::level(0.5));
+        for _ in 0..10 {
+            doubt.moved(engine.speed_by_heading(&level));
+        }
+        assert!((doubt.stray() - 180.0).abs() < 1e-9, "{}", doubt.stray());
         doubt
             .notice(&[candidate(1, true)], engine.as_ref(), 10.0)
             .unwrap();
-        assert!(doubt.doubt().is_none() && doubt.stray(&flight(), 10.0) == 0.0);
+        assert!(doubt.doubt().is_none() && doubt.stray() == 0.0);
+    }
+
+    #[test]
+    fn only_vehicles_that_fly_by_their_heading_stray_by_it() {
+        let speed = |vehicle, input: &ControlInput| {
+            let settings = NavigatorSettings {
+                vehicle,
+                ..NavigatorSettings::default()
+            };
+            let mut engine = engine(&settings, GroundPoint::default(), 3.0).unwrap();
+            engine.predict(input, 100.0).unwrap();
+            engine.speed_by_heading(input)
+        };
+        let read = ControlInput::new(20.0, Attitude::level(0.5));
+        let airplane = speed(VehicleChoice::AirplaneWind, &read);
+        assert!((airplane - 20.0).abs() < 1e-9, "{airplane}");
+        assert_eq!(speed(VehicleChoice::ConstantVelocity, &read), 0.0);
+        let moved = ControlInput {
+            ground_velocity: Some(nalgebra::Vector2::new(3.0, 0.0)),
+            ..read
+        };
+        assert_eq!(speed(VehicleChoice::VelocityDriven, &moved), 0.0);
+        // Nose down by 5°: 9.81 tan 5° against its drag.
+        let tilted = ControlInput::without_airspeed(Attitude {
+            pitch: -5_f64.to_radians(),
+            ..Attitude::level(0.5)
+        });
+        let multirotor = speed(VehicleChoice::Multirotor, &tilted);
+        let drag = Multirotor::default().drag;
+        assert!((multirotor * drag - 0.858).abs() < 2e-3, "{multirotor}");
     }
 
     fn candidate(landmark: u32, is_found: bool) -> CandidateReport {

@@ -358,6 +358,9 @@ impl Navigator {
         self.second = self.second.take().and_then(|s| s.moved(&input, dt));
         self.possible.moved(&input, dt);
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
+        if let Some(heading) = &mut self.heading {
+            heading.moved(self.engine.speed_by_heading(&input) * dt);
+        }
         self.time = time;
         let mut report = StepReport {
             time,

@@ -66,6 +66,10 @@ pub trait Engine: Send {
 
     fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError>;
 
+    /// Speed through the air that is made along the heading with these readings, m/s: zero where no heading carries the
+    /// vehicle.
+    fn speed_by_heading(&self, input: &ControlInput) -> f64;
+
     /// Takes what is measured for what was before the inputs of `past` (with their lengths in seconds, the
     /// latest first), from here on.
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>);

@@ -102,6 +102,13 @@ where
         })
     }
 
+    fn speed_by_heading(&self, input: &ControlInput) -> f64 {
+        let (mean, model) = (self.filter.belief().mean, &self.vehicle.model);
+        let over_ground = model.ground_velocity(&mean, input);
+        let through_air = over_ground.zip(model.wind(&mean)).map(|(v, wind)| v - wind);
+        through_air.map_or(0.0, |velocity| velocity.norm())
+    }
+
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>) {
         self.vehicle.past = past;
     }

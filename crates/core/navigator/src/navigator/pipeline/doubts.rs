@@ -27,7 +27,7 @@ impl Navigator {
         }
         if let Some(heading) = &self.heading {
             report.doubts.extend(heading.doubt());
-            let stray = heading.stray(&self.flight, report.time);
+            let stray = heading.stray();
             for axis in 0..2 {
                 report.after.covariance[(axis, axis)] += stray * stray;
             }
