@@ -223,22 +223,24 @@ impl PictureLag {
     }
 
     /// The belief of all together, if the others matter beside `first`: the mean and the covariance of the
-    /// mixture.
-    pub fn together(&self, engine: &dyn Engine, first: &Estimate) -> Option<Estimate> {
+    /// mixture. `past` gives the inputs of the last so many seconds, the latest first.
+    pub fn together(
+        &self,
+        engine: &dyn Engine,
+        first: &Estimate,
+        past: &dyn Fn(f64) -> Vec<(ControlInput, f64)>,
+    ) -> Option<Estimate> {
         if self.replaced.is_none() && self.weight >= ELLIPSE {
             return None;
         }
         let rivals = self.rivals.iter();
+        let rivals = rivals.map(|r| (r.weight, r.engine.as_ref(), r.engine.state(), r.lag));
+        let own = (self.weight, engine, first.clone(), self.assumed);
         let beliefs: Vec<(f64, Estimate)> = rivals
-            .map(|rival| {
-                let belief =
-                    spread_over_cell(rival.engine.state(), rival.engine.as_ref(), rival.lag);
-                (rival.weight, belief)
+            .chain([own])
+            .map(|(weight, engine, belief, lag)| {
+                (weight, spread_over_cell(belief, engine, (lag, &past(lag))))
             })
-            .chain([(
-                self.weight,
-                spread_over_cell(first.clone(), engine, self.assumed),
-            )])
             .collect();
         let size = first.mean.len();
         let mut mean = nalgebra::DVector::zeros(size);
@@ -279,10 +281,17 @@ impl PictureLag {
 }
 
 /// The belief of a filter that stands for all lags nearer to its own than to the next: evenly spread over them,
-/// of the variance of a uniform distribution. That without a lag stands for itself.
-fn spread_over_cell(mut belief: Estimate, engine: &dyn Engine, lag: f64) -> Estimate {
+/// of the variance of a uniform distribution. That without a lag stands for itself. `past` are the inputs in the lag.
+fn spread_over_cell(
+    mut belief: Estimate,
+    engine: &dyn Engine,
+    (lag, past): (f64, &[(ControlInput, f64)]),
+) -> Estimate {
     if lag > 0.0 {
-        let way = belief.position().to_vector() - engine.seen_from().to_vector();
+        let back =
+            |state, (input, dt): &(ControlInput, f64)| engine.dead_reckon(&state, input, -dt);
+        let then = past.iter().fold(belief.mean.clone(), back);
+        let way = belief.mean.fixed_rows::<2>(0) - then.fixed_rows::<2>(0);
         let off = way * (LONGEST / f64::from(RIVALS) / lag);
         let mut position = belief.covariance.fixed_view_mut::<2, 2>(0, 0);
         position += off * off.transpose() / 12.0;

@@ -63,7 +63,11 @@ fn a_lag_that_was_ruled_out_may_begin_later_and_goes_on_from_the_first() {
 fn a_punctual_camera_leaves_the_belief_as_it_is() {
     let (mut engine, time) = (start(), 5.0);
     let mut lag = PictureLag::new(engine.as_ref()).unwrap();
-    assert!(lag.together(engine.as_ref(), &engine.state()).is_none());
+    let past = |_| Vec::new();
+    assert!(
+        lag.together(engine.as_ref(), &engine.state(), &past)
+            .is_none()
+    );
     assert!(lag.doubt().is_none() && !lag.replace(&mut engine, time));
     assert!((lag.weight + lag.rivals.iter().map(|r| r.weight).sum::<f64>() - 1.0).abs() < 1e-12);
 }
@@ -80,7 +84,8 @@ fn beliefs_are_mixed_while_a_lag_may_be_and_one_gives_way_that_hardly_can() {
     let ahead = ControlInput::new(18.0, Attitude::level(0.0));
     lag.predict(&ahead, 1.0);
     let state = first.state();
-    let together = lag.together(first.as_ref(), &state).unwrap();
+    let past = |lag| vec![(ahead, lag)];
+    let together = lag.together(first.as_ref(), &state, &past).unwrap();
     assert!(
         (together.position().north - 9.0).abs() < 1e-6,
         "{together:?}"
@@ -90,6 +95,15 @@ fn beliefs_are_mixed_while_a_lag_may_be_and_one_gives_way_that_hardly_can() {
         (80.0..120.0).contains(&(north - state.covariance[(0, 0)])),
         "{north}"
     );
+    // The rival stands for lags of 0.5 s and their neighbours, over 18 · 0.5 m of its way, whatever the filters look at.
+    let cell = north
+        - lag
+            .together(first.as_ref(), &state, &|_| Vec::new())
+            .unwrap()
+            .covariance[(0, 0)];
+    assert!((cell - 0.5 * 81.0 / 12.0).abs() < 1e-6, "{cell}");
+    lag.rivals[0].engine.look_now(&ahead);
+    assert_eq!(lag.together(first.as_ref(), &state, &past), Some(together));
     assert_eq!(
         lag.doubt().unwrap().words(),
         "camera may be late since 2.0 s"

@@ -21,7 +21,9 @@ impl Navigator {
         }
         if let Some(lag) = &self.lag {
             report.doubts.extend(lag.doubt());
-            if let Some(together) = lag.together(self.engine.as_ref(), &report.after) {
+            let onlooker = self.onlooker(&self.flight.camera);
+            let past = |lag| onlooker.past(lag);
+            if let Some(together) = lag.together(self.engine.as_ref(), &report.after, &past) {
                 report.after = together;
             }
         }
