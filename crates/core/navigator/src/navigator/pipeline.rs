@@ -345,7 +345,8 @@ impl Navigator {
     ) -> Result<StepReport, FilterError> {
         let begun = stopwatch();
         let time = tick.time;
-        let dt = time - self.time;
+        // A first reading may be taken for one at the start and come just before it.
+        let dt = (time - self.time).max(0.0);
         let input = self.inputs.between(&self.flight, self.time, time);
         let control = Control::of(&self.flight, time);
         if let Some(lag) = &mut self.lag {
@@ -361,7 +362,7 @@ impl Navigator {
         if let Some(heading) = &mut self.heading {
             heading.moved(self.engine.speed_by_heading(&input) * dt);
         }
-        self.time = time;
+        self.time = self.time.max(time);
         let mut report = StepReport {
             time,
             dt,
@@ -604,9 +605,9 @@ fn footprint(model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
 }
 
 #[cfg(test)]
-#[path = "pipeline/mount_tests.rs"]
-mod mount_tests;
-#[cfg(test)]
 #[path = "pipeline/step_tests.rs"]
 mod step_tests;
 
+#[cfg(test)]
+#[path = "pipeline/mount_tests.rs"]
+mod mount_tests;

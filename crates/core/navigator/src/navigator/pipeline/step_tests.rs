@@ -98,3 +98,20 @@ fn a_velocity_that_falls_silent_on_a_leg_is_told_and_the_ellipse_holds_the_next_
     let before = run.step_at(20.0).unwrap();
     assert!(before.doubts.is_empty() && before.radius_held() < 10.0);
 }
+
+#[test]
+fn a_first_reading_just_before_the_start_is_one_at_the_start() {
+    let mut flight = airplane();
+    flight.start.time = 1.0;
+    for channel in &mut flight.channels {
+        let early = channel.times.partition_point(|time| *time < 0.95);
+        channel.times.drain(..early);
+        channel.values.drain(..early);
+        channel.times[0] = 1.0 - 5e-7;
+    }
+    let run = navigator(flight, &NavigatorSettings::default())
+        .fly(&mut NoPictures, &|| 0.0)
+        .unwrap();
+    assert_eq!(run.steps.len(), 41);
+    assert!(run.steps[0].dt == 0.0 && (run.steps[1].dt - 0.1).abs() < 1e-9);
+}
