@@ -81,7 +81,11 @@ impl<const N: usize> Cloud<N> {
     /// Relative weights after multiplication with exp(`share` × `fits`).
     fn weighed<'a>(&'a self, fits: &'a [f64], share: f64) -> impl Iterator<Item = f64> + 'a {
         let best = fits.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let weigh = move |(w, fit): (&f64, &f64)| w * (share * (fit - best)).exp();
+        // What is impossible is so for the smallest share of it, too.
+        let weigh = move |(w, fit): (&f64, &f64)| match *fit {
+            f64::NEG_INFINITY => 0.0,
+            fit => w * (share * (fit - best)).exp(),
+        };
         self.weights.iter().zip(fits).map(weigh)
     }
 

@@ -334,9 +334,11 @@ impl<const N: usize> ParticleFilter<N> {
     /// The largest share up to `left` of the log likelihoods that moves the cloud by no more than the
     /// kernel can fill up ahead of it.
     ///
-    /// A likelihood that moves a Gaussian by c deviations leaves exp(-c²) of its particles effective.
+    /// A likelihood that moves a Gaussian by c deviations leaves exp(-c²) of its particles effective; those that are
+    /// impossible are lost by any share.
     fn gentle_share(&self, fits: &[f64], left: f64) -> f64 {
-        let wanted = self.cloud.effective_count() * (-self.kernel_width().powi(2)).exp();
+        let wanted =
+            self.cloud.effective_count_after(fits, 0.0) * (-self.kernel_width().powi(2)).exp();
         let (mut low, mut high) = (0.0, left);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);

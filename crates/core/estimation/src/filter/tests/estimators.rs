@@ -302,6 +302,27 @@ fn a_measurement_far_out_and_sharp_is_reached_by_stages() {
 }
 
 #[test]
+fn particles_of_which_half_cannot_be_measured_are_corrected_by_the_others() {
+    let prior = Gaussian::new(Vector2::zeros(), Matrix2::identity());
+    let mut filter = ParticleFilter::new(
+        &prior,
+        ParticleSettings::default(),
+        UnscentedSettings::default(),
+    )
+    .unwrap();
+    // East of the origin nothing is seen; what is seen is four deviations to the north.
+    let model = |x: &Vector2<f64>| (x.y < 0.0).then(|| dvector![x.x]);
+    let noise = nalgebra::DMatrix::from_element(1, 1, 0.01);
+    let step = filter
+        .correct(model, &noise, &dvector![4.0], |a, b| a - b)
+        .unwrap();
+    let mean = step.after.mean;
+    assert!((mean.x - 4.0 / 1.01).abs() < 0.1, "{mean}");
+    // Half of a normal distribution has the mean √(2/π); kernels blur its edge.
+    assert!((mean.y + 0.8).abs() < 0.25, "{mean}");
+}
+
+#[test]
 fn particles_keep_two_places_apart_where_a_gaussian_knows_one() {
     // The square of a coordinate says nothing of its sign.
     let prior = Gaussian::new(Vector2::zeros(), Matrix2::identity() * 4.0);
