@@ -69,7 +69,11 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "wind" => settings.process.wind = number()?,
         "gust" => settings.process.gust = number()?,
         "gust-per-wind" => settings.process.gust_per_wind = number()?,
-        "gust-time" => settings.process.gust_time = number()?,
+        "gust-time" => {
+            let lasting = Some(limit()?).filter(|time| *time > 0.0);
+            settings.process.gust_time = lasting
+                .ok_or_else(|| format!("--filter {key}: \"{value}\" is no time that gusts last"))?;
+        }
         "airspeed" => settings.process.airspeed = number()?,
         "heading" => settings.process.heading = number()?,
         "position" => settings.process.position = number()?,
@@ -172,6 +176,8 @@ mod tests {
             "frame-within=inf",
             "map-accuracy=-3",
             "frame-height=0",
+            "gust-time=0",
+            "gust-time=-5",
         ] {
             let (key, value) = wrong.split_once('=').unwrap();
             let why = apply(&mut settings, wrong).unwrap_err();
