@@ -114,28 +114,37 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "map-accuracy" => frames(settings).map_deviation = limit()?,
         "estimate-height" => settings.estimates_height = switch()?,
         "start-wind" => settings.start.wind = number()?,
-        _ => {
-            let (name, number_name) = key.split_once('.').unwrap_or((key, ""));
-            let info = AidInfo::named(name)
-                .map_err(|_| format!("--filter: there is no setting \"{key}\""))?;
-            let known = settings.aids.iter().position(|aid| aid.key == name);
-            let mut aid = known.map_or_else(
-                || ChosenAid::usual(name),
-                |index| settings.aids.remove(index),
-            );
-            if number_name.is_empty() {
-                if !switch()? {
-                    return Ok(());
-                }
-            } else {
-                aid = aid.with(number_name, number()?);
-            }
-            info.values(&aid)
-                .map_err(|e| format!("--filter {key}: {e}"))?;
-            let place = known.unwrap_or(settings.aids.len());
-            settings.aids.insert(place, aid);
-        }
+        _ => return set_aid(settings, key, switch, number),
     }
+    Ok(())
+}
+
+/// Switches an aid on or off, or sets one of its numbers (`NAME.NUMBER`).
+fn set_aid(
+    settings: &mut NavigatorSettings,
+    key: &str,
+    switch: impl Fn() -> Result<bool, String>,
+    number: impl Fn() -> Result<f64, String>,
+) -> Result<(), String> {
+    let (name, number_name) = key.split_once('.').unwrap_or((key, ""));
+    let info =
+        AidInfo::named(name).map_err(|_| format!("--filter: there is no setting \"{key}\""))?;
+    let known = settings.aids.iter().position(|aid| aid.key == name);
+    let mut aid = known.map_or_else(
+        || ChosenAid::usual(name),
+        |index| settings.aids.remove(index),
+    );
+    if number_name.is_empty() {
+        if !switch()? {
+            return Ok(());
+        }
+    } else {
+        aid = aid.with(number_name, number()?);
+    }
+    info.values(&aid)
+        .map_err(|e| format!("--filter {key}: {e}"))?;
+    let place = known.unwrap_or(settings.aids.len());
+    settings.aids.insert(place, aid);
     Ok(())
 }
 

@@ -100,7 +100,7 @@ fn a_picture_without_a_place_is_put_on_the_ground_by_clicks() {
     assert!(rig.state()["georeferencer"].is_null());
     rig.harness.get_by_label_contains("Open the picture again");
     // Opened again, it has its points, which undo takes away.
-    let content = vec![1].into();
+    let content = vec![1];
     open(&mut rig, "photo.png", content);
     rig.frames(6);
     assert_eq!(rig.state()["georeferencer"]["points"], 4);
@@ -214,7 +214,7 @@ fn files_without_places_that_are_opened_beside_a_picture_are_opened_as_anything_
     for answer in no_places {
         let mut rig = rig_with_a_picture();
         let path = "flight.csv".to_owned();
-        let content = vec![1].into();
+        let content = vec![1];
         rig.host().opened.push(vec![OpenedFile { path, content }]);
         rig.frames(3);
         let jobs = &rig.host().jobs;
