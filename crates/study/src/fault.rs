@@ -1,6 +1,6 @@
 //! Faults of instruments, done to the channels of a flight.
 
-use pilotage_core::flight::{Channel, ChannelName, Flight};
+use pilotage_core::flight::{Channel, ChannelName, Flight, Frame};
 use pilotage_core::frames::wrap_pi;
 
 use super::fault_kind::FaultKind;
@@ -82,16 +82,28 @@ pub fn as_seen(flight: &Flight, run: &RunSettings) -> Option<Flight> {
     }
     let mut seen = flight.clone();
     let from = flight.start.time + run.fault_from;
-    let late = (run.fault_delay * run.sensors.frame_rate).round().max(0.0) as usize;
     let truth = (flight.truth.as_ref(), seen.truth.as_mut());
     if let (Some(truth), Some(seen)) = truth {
         for (index, frame) in flight.frames.iter().enumerate() {
             if frame.time >= from {
-                seen.frames[index] = truth.frames[index.saturating_sub(late)];
+                let shown = nearest(&flight.frames[..=index], frame.time - run.fault_delay);
+                seen.frames[index] = truth.frames[shown];
             }
         }
     }
     Some(seen)
+}
+
+/// Number of the frame that was taken nearest to `time`, seconds, of two as near the earlier; 0 of none.
+fn nearest(frames: &[Frame], time: f64) -> usize {
+    let after = frames.partition_point(|frame| frame.time < time);
+    let Some(before) = after.checked_sub(1) else {
+        return 0;
+    };
+    match frames.get(after) {
+        Some(frame) if frame.time - time < time - frames[before].time - 1e-9 => after,
+        _ => before,
+    }
 }
 
 #[cfg(test)]
@@ -161,5 +173,29 @@ mod tests {
         assert_eq!(frames(&late)[9], frames(&sound)[9]);
         assert_eq!(frames(&late)[10], frames(&sound)[8]);
         assert_eq!(frames(&late)[30], frames(&sound)[28]);
+    }
+
+    #[test]
+    fn a_camera_is_late_by_a_time_at_any_frame_rate() {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        for (rate, delay) in [(15.0, 1.0), (8.0, 1.0), (2.0, 0.5), (20.0, 0.25)] {
+            let mut plan = scenario.plan(&Overrides::default());
+            plan.longest = 10.0;
+            plan.sensors.frame_rate = rate;
+            let flight = plan.simulate(1).unwrap();
+            let mut run = RunSettings {
+                fault: FaultKind::CameraLate,
+                fault_from: 5.0,
+                fault_delay: delay,
+                ..RunSettings::default()
+            };
+            run.sensors.frame_rate = rate;
+            let seen = as_seen(&flight, &run).unwrap().truth.unwrap().frames;
+            let taken = flight.truth.unwrap().frames;
+            let last = flight.frames.len() - 1;
+            let shown = taken.iter().position(|frame| *frame == seen[last]).unwrap();
+            let late = flight.frames[last].time - flight.frames[shown].time;
+            assert!((late - delay).abs() < 0.026, "{rate} a second: {late} s");
+        }
     }
 }

@@ -81,12 +81,15 @@ impl Recording<'_> {
     /// The flight through `states`, recorded at 20 Hz, with what was measured on it, its frames and its
     /// first position; `None` without any state.
     pub fn flight(&self, states: Vec<TruthState>, channels: Vec<Channel>) -> Option<Flight> {
+        // Each frame at the record nearest to its time: as many a second as are asked for, if no more than records.
         let records_per_frame = (f64::from(STEPS_PER_SECOND as u32)
             / f64::from(STEPS_PER_RECORD as u32)
             / self.sensors.frame_rate)
-            .round()
-            .max(1.0) as usize;
-        let frame_states = || states.iter().step_by(records_per_frame);
+            .max(1.0);
+        let frame_states = || {
+            let records = (0_u32..).map(|k| (f64::from(k) * records_per_frame).round() as usize);
+            records.map_while(|record| states.get(record))
+        };
         let frames = frame_states()
             .enumerate()
             .map(|(number, state)| Frame {
@@ -341,6 +344,31 @@ mod tests {
         assert!((at(1500.0).0 - 140.0).abs() < 1.0, "{:?}", at(1500.0));
         assert!((at(400.0).1 - 16.0).abs() < 0.5, "{:?}", at(400.0));
         assert!((at(1500.0).1 - 24.0).abs() < 0.5, "{:?}", at(1500.0));
+    }
+
+    #[test]
+    fn as_many_frames_are_taken_as_are_asked_for() {
+        let mut plan = plan(&[(0.0, 0.0), (0.0, 3000.0)], Wind::default());
+        plan.longest = 60.0;
+        for (rate, asked) in [
+            (0.5, 31),
+            (2.0, 121),
+            (6.0, 361),
+            (8.0, 481),
+            (15.0, 901),
+            (20.0, 1201),
+        ] {
+            plan.sensors.frame_rate = rate;
+            let flight = plan.simulate(1).unwrap();
+            let frames = flight.frames;
+            assert!(
+                frames.len().abs_diff(asked) <= 1,
+                "{rate}: {}",
+                frames.len()
+            );
+            let late = |(k, frame): (u32, &Frame)| frame.time - f64::from(k) / rate;
+            assert!((0..).zip(&frames).map(late).all(|late| late.abs() < 0.026));
+        }
     }
 
     fn truth(plan: &FlightPlan, seed: u64) -> Vec<TruthState> {
