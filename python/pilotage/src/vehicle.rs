@@ -26,7 +26,8 @@ pub struct PythonControls(ControlInput);
 #[pymethods]
 impl PythonControls {
     /// `airspeed` is true airspeed, `heading` clockwise from north, `ground_velocity` north and east where something other
-    /// than satellites measures it, `heading_deviation` the standard deviation of a heading that is held from earlier.
+    /// than satellites measures it, `heading_deviation` the standard deviation of a heading that is held from earlier, for
+    /// `heading_held` seconds, and `tilt_deviation` that of roll and pitch that are not read.
     #[new]
     #[pyo3(signature = (
         *,
@@ -37,6 +38,8 @@ impl PythonControls {
         turn_rate = 0.0,
         ground_velocity = None,
         heading_deviation = 0.0,
+        heading_held = 0.0,
+        tilt_deviation = 0.0,
     ))]
     fn new(
         airspeed: Option<f64>,
@@ -46,6 +49,8 @@ impl PythonControls {
         turn_rate: f64,
         ground_velocity: Option<(f64, f64)>,
         heading_deviation: f64,
+        heading_held: f64,
+        tilt_deviation: f64,
     ) -> Self {
         let yaw = heading;
         Self(ControlInput {
@@ -54,6 +59,8 @@ impl PythonControls {
             turn_rate,
             ground_velocity: ground_velocity.map(|(north, east)| Vector2::new(north, east)),
             heading_deviation,
+            heading_held,
+            tilt_deviation,
         })
     }
 

@@ -214,7 +214,7 @@ fn files_without_places_that_are_opened_beside_a_picture_are_opened_as_anything_
     for answer in no_places {
         let mut rig = rig_with_a_picture();
         let path = "flight.csv".to_owned();
-        let content = vec![1];
+        let content = vec![1].into();
         rig.host().opened.push(vec![OpenedFile { path, content }]);
         rig.frames(3);
         let jobs = &rig.host().jobs;

@@ -164,6 +164,8 @@ class Controls:
         turn_rate: float = 0.0,
         ground_velocity: tuple[float, float] | None = None,
         heading_deviation: float = 0.0,
+        heading_held: float = 0.0,
+        tilt_deviation: float = 0.0,
     ) -> Controls: ...
 
 @final
