@@ -9,7 +9,7 @@ use crate::tiff::TiffFile;
 use crate::tiff::tests::open;
 use pilotage_raster::raster::Rgba;
 
-/// One image of a file: its width, its height, its pixels as stored, and tags of short numbers.
+/// Image of a file: its width, its height, its pixels as stored, and tags of short numbers.
 struct Image<'a>(usize, usize, &'a [u8], &'a [(u16, &'a [u16])]);
 
 /// A TIFF file of images of one strip each; a second one is the mask of the first.

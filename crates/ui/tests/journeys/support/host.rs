@@ -111,7 +111,7 @@ pub struct ScriptedHost {
     pub gone_back: Option<String>,
     /// Saves to report as broken off.
     pub interrupted: Vec<String>,
-    /// What the shell tells of its own, title and text.
+    /// Notices that the shell tells of its own, title and text.
     pub troubles: Vec<(String, String)>,
     /// Share of frames in which tested landmarks are found on a day on which they are recognised, unless one half.
     pub per_frame: Option<f64>,
