@@ -69,11 +69,7 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "wind" => settings.process.wind = number()?,
         "gust" => settings.process.gust = number()?,
         "gust-per-wind" => settings.process.gust_per_wind = number()?,
-        "gust-time" => {
-            let lasting = Some(limit()?).filter(|time| *time > 0.0);
-            settings.process.gust_time = lasting
-                .ok_or_else(|| format!("--filter {key}: \"{value}\" is no time that gusts last"))?;
-        }
+        "gust-time" => settings.process.gust_time = number()?,
         "airspeed" => settings.process.airspeed = number()?,
         "heading" => settings.process.heading = number()?,
         "position" => settings.process.position = number()?,
