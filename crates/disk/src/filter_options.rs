@@ -181,8 +181,6 @@ mod tests {
             "frame-within=inf",
             "map-accuracy=-3",
             "frame-height=0",
-            "gust-time=0",
-            "gust-time=-5",
         ] {
             let (key, value) = wrong.split_once('=').unwrap();
             let why = apply(&mut settings, wrong).unwrap_err();
