@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["flight", "map", "columns", "vehicle", "no_mission"])]
     scenario: Option<String>,
     /// Seed of the scenario.
-    #[arg(long, requires = "scenario", default_value_t = 1)]
+    #[arg(long, requires = "scenario", conflicts_with_all = ["path", "flight"], default_value_t = 1)]
     seed: u64,
     /// Several seeds, A..B with B left out; prints quantiles. Pictures in which no landmark may lie are
     /// not taken, and count as looked at in no time.
@@ -39,11 +39,11 @@ pub struct Arguments {
         long,
         value_name = "A..B",
         requires = "scenario",
-        conflicts_with = "seed"
+        conflicts_with_all = ["path", "flight", "seed"]
     )]
     seeds: Option<String>,
     /// Day on which the camera sees the ground of the scenario.
-    #[arg(long, requires = "scenario", value_enum, default_value_t = DayChoice::Other)]
+    #[arg(long, requires = "scenario", conflicts_with_all = ["path", "flight"], value_enum, default_value_t = DayChoice::Other)]
     day: DayChoice,
     /// Mission file (GeoJSON); a flight without one is navigated by whole frames alone.
     #[arg(long)]

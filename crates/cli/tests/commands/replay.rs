@@ -110,9 +110,10 @@ fn what_a_flight_cannot_follow_is_refused_by_name() {
     let folder = Folder::new("unfollowed");
     folder.write("flight.bin", b"");
     for (words, named) in [
-        ("replay flight.bin --seed 3", "--scenario"),
-        ("replay flight.bin --seeds 1..5", "--scenario"),
-        ("replay flight.bin --day same", "--scenario"),
+        ("replay --seed 3", "--scenario"),
+        ("replay flight.bin --seed 3", "--seed"),
+        ("replay flight.bin --seeds 1..5", "--seeds"),
+        ("replay flight.bin --day same", "--day"),
         ("replay --scenario s --seeds 1..2 --out r.run", "--out"),
         ("replay --scenario s --seeds 1..2 --verbose", "--verbose"),
         ("replay --scenario s --vehicle 2", "--vehicle"),
