@@ -86,9 +86,7 @@ pub(crate) fn in_stretches(mut photos: Vec<TrainingPhoto>) -> Vec<TrainingPhoto>
 
 /// Labels of a picture of a flight.
 fn said_of<'a>(labels: &'a [FrameLabels], flight: &str, frame: &str) -> Option<&'a FrameLabels> {
-    let of_frame = || labels.iter().filter(|l| l.frame == frame);
-    let own = of_frame().find(|l| l.flight == flight);
-    own.or_else(|| of_frame().find(|l| l.is_of(flight)))
+    labels.get(FrameLabels::place_among(labels, flight, frame)?)
 }
 
 /// The box of a landmark, if it is neither cut nor hard to see.

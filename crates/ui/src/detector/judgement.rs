@@ -113,7 +113,7 @@ fn judging(landmark: &Landmark, documents: &Documents) -> Job {
     let about = with.assessment(landmark);
     let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
     let flight = is_recorded.then(|| documents.flight.source.clone());
-    let tells = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
+    let tells = |l: &&FrameLabels| l.tells_of(landmark.id);
     let labels = documents.mission.labels.iter().filter(tells);
     let order = EvaluationOrder {
         labels: labels.cloned().collect(),

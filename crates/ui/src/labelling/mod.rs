@@ -112,11 +112,7 @@ impl Labeller {
         let found = || {
             let id = context.selection?;
             let is_asked = self.always || self.asked == Some((frame, id));
-            let labels = said_of(context, frame);
-            let is_said = labels
-                .as_ref()
-                .is_some_and(|l| l.of(id).is_some() || l.lacks(id));
-            if !is_asked || is_said {
+            if !is_asked || said_of(context, frame).is_some_and(|l| l.tells_of(id)) {
                 return None;
             }
             propose::proposed(context, frame, context.mission.landmark(id)?)

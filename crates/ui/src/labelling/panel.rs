@@ -177,7 +177,7 @@ impl Labeller {
         let frame = context.shown_frame();
         let labels = frame.and_then(|i| said_of(context, i));
         let is_labelled = labels.as_ref().is_some_and(|l| l.of(landmark.id).is_some());
-        let is_said = is_labelled || labels.is_some_and(|l| l.lacks(landmark.id));
+        let is_said = labels.is_some_and(|l| l.tells_of(landmark.id));
         caption(ui, tokens, "In this picture");
         let buttons = [
             (

@@ -13,7 +13,7 @@ pub(super) fn labels_of<'a>(
     flight: &'a str,
     mission: &'a Mission,
 ) -> impl Iterator<Item = &'a FrameLabels> {
-    let told = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
+    let told = |l: &&FrameLabels| l.tells_of(landmark.id);
     let own = mission.labels.iter().filter(|l| l.is_of(flight));
     own.filter(told)
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pilotage_core::flight::FrameSource as _;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
-use pilotage_core::mission::write_mission;
+use pilotage_core::mission::{FrameLabels, write_mission};
 use pilotage_core::plan::Proposal;
 use pilotage_core::training::TrainingPlan;
 use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder};
@@ -87,10 +87,8 @@ impl Piecework for TrainedDetectors {
             .map(|frame| frame.name.clone())
             .collect();
         let flight = open.flight.identity();
-        let is_labelled = |name: &str| {
-            let mut own = labelled.labels.iter().filter(|label| label.is_of(&flight));
-            own.any(|label| label.frame == name)
-        };
+        let is_labelled =
+            |name: &str| FrameLabels::place_among(&labelled.labels, &flight, name).is_some();
         let pictures = names
             .iter()
             .enumerate()

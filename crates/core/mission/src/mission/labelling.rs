@@ -1,6 +1,7 @@
 //! Labels of a mission's pictures: asked, added, taken away.
 
 use super::{FrameLabels, LabelBox, LabelledPicture, Mission};
+use pilotage_base::text::by_count;
 
 impl Mission {
     /// Labels of a picture of a flight; those of which nobody said the flight where that picture has none of its own.
@@ -21,9 +22,11 @@ impl Mission {
     /// Labels that are not used with a flight because they are of others, and those that are although nobody said of which
     /// they are, in sentences.
     pub fn told_of_labels(&self, flight: &str) -> Vec<String> {
-        let counted = |count: usize| match count {
-            1 => "Labels of 1 picture".to_owned(),
-            count => format!("Labels of {count} pictures"),
+        let counted = |count: usize| {
+            format!(
+                "Labels of {count} {}",
+                by_count(count, "picture", "pictures")
+            )
         };
         let count =
             |of: &dyn Fn(&FrameLabels) -> bool| self.labels.iter().filter(|l| of(l)).count();
@@ -69,9 +72,8 @@ impl Mission {
 
     /// Takes away what was said of a landmark in a picture of a flight; false if that was nothing.
     pub fn clear_label(&mut self, flight: &str, frame: &str, landmark: u32) -> bool {
-        let known = |l: &FrameLabels| l.of(landmark).is_some() || l.lacks(landmark);
         let place = self.place_of(flight, frame);
-        let Some(place) = place.filter(|place| known(&self.labels[*place])) else {
+        let Some(place) = place.filter(|place| self.labels[*place].tells_of(landmark)) else {
             return false;
         };
         let labels = &mut self.labels[place];
@@ -127,11 +129,7 @@ impl Mission {
 
     /// Place of the labels of a picture of a flight among all.
     fn place_of(&self, flight: &str, frame: &str) -> Option<usize> {
-        let place = |of: &str| {
-            let is_it = |l: &FrameLabels| l.frame == frame && l.flight == of;
-            self.labels.iter().position(is_it)
-        };
-        place(flight).or_else(|| place(""))
+        FrameLabels::place_among(&self.labels, flight, frame)
     }
 
     /// The labels of a picture, in pixels of its size. Those of which nobody said the flight become those of the one in which they are changed.
@@ -151,7 +149,9 @@ impl Mission {
             place
         });
         let labels = &mut self.labels[place];
-        *labels = labels.at_size(*size);
+        if labels.size != *size {
+            *labels = labels.at_size(*size);
+        }
         labels.flight.clone_from(flight);
         labels
     }

@@ -184,6 +184,20 @@ impl FrameLabels {
         self.absent.contains(&landmark)
     }
 
+    /// Place among `labels` of those of a picture of a flight: its own, else those of which nobody said the flight.
+    pub fn place_among(labels: &[Self], flight: &str, frame: &str) -> Option<usize> {
+        let place = |of: &str| {
+            let is_it = |l: &Self| l.frame == frame && l.flight == of;
+            labels.iter().position(is_it)
+        };
+        place(flight).or_else(|| place(""))
+    }
+
+    /// Whether something is said of a landmark: a box of it, or that it is not in the picture.
+    pub fn tells_of(&self, landmark: u32) -> bool {
+        self.of(landmark).is_some() || self.lacks(landmark)
+    }
+
     /// Whether nothing is said of the picture.
     pub(super) fn is_empty(&self) -> bool {
         self.boxes.is_empty() && self.absent.is_empty() && self.properties.is_empty()
