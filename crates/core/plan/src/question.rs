@@ -113,7 +113,11 @@ impl RouteQuestion {
 
     /// Whether one may fly the turns of a line, and straight between them.
     pub(super) fn allows_turns(&self, way_points: &[GroundPoint]) -> bool {
-        let path = flown(way_points, &self.turns);
+        self.allows_path(&flown(way_points, &self.turns))
+    }
+
+    /// Whether one may fly straight from place to place of a path.
+    fn allows_path(&self, path: &[GroundPoint]) -> bool {
         path.windows(2)
             .all(|piece| self.allows(&piece[0], &piece[1]))
     }
@@ -193,11 +197,12 @@ impl RouteQuestion {
             route.length += leg[0].distance(&leg[1]);
             route.time += ground.time(&leg[0], &leg[1])?;
         }
-        if !self.allows_turns(way_points) {
+        let path = flown(way_points, &self.turns);
+        if !self.allows_path(&path) {
             return None;
         }
         let mut length = 0.0;
-        for piece in flown(way_points, &self.turns).windows(2) {
+        for piece in path.windows(2) {
             let way = ground.follow(&piece[0], &piece[1])?;
             route.worst_blind = way.worst(unsure).max(route.worst_blind);
             integral += way.integral.of(unsure);

@@ -97,8 +97,9 @@ impl PlannedPath {
         let pairs = flight.frames.windows(2);
         let between = pairs.map(|pair| pair[1].time - pair[0].time);
         let mut between: Vec<f64> = between.filter(|time| *time > 0.0).collect();
-        between.sort_by(f64::total_cmp);
-        between.get(between.len() / 2).map(|time| 1.0 / time)
+        let middle = between.len() / 2;
+        (!between.is_empty())
+            .then(|| 1.0 / *between.select_nth_unstable_by(middle, f64::total_cmp).1)
     }
 
     /// Pictures a second with which a flight by such a camera is planned, where it takes fewer than the simulator's. Of more,

@@ -4,7 +4,7 @@ use egui::{
     Align2, CursorIcon, Key, Painter, PointerButton, Pos2, Rect, Sense, Shape, Stroke, StrokeKind,
     Ui, Vec2, pos2, vec2,
 };
-use pilotage_core::mission::LabelBox;
+use pilotage_core::mission::{FrameLabels, LabelBox};
 
 use super::drag::BoxDrag;
 use super::{LabelCommand, Labeller, color_of, said_of};
@@ -57,7 +57,8 @@ impl Labeller {
         let response = ui.allocate_rect(outer, Sense::click_and_drag());
         let size = (flight.camera.width as u32, flight.camera.height as u32);
         let name = flight.frames[frame].name.as_str();
-        parts::name(&response, described(context, frame, name));
+        let labels = said_of(context, frame);
+        parts::name(&response, described(labels.as_ref(), name));
         let placement = self.placement(ui, &response, outer, size);
         self.drawn = Some((placement.rect, size));
         let painter = ui.painter_at(outer);
@@ -75,7 +76,7 @@ impl Labeller {
         }
         self.take_pointer(ui, &response, context, frame, placement, size);
         Self::take_keys(ui, context, frame, size);
-        self.paint(&painter, context, frame, placement);
+        self.paint(&painter, context, labels.as_ref(), placement);
     }
 
     fn placement(
@@ -214,7 +215,6 @@ impl Labeller {
         // A slow frame may hold several presses of a key.
         let presses = |key| ui.input(|i| i.num_presses(key));
         let pressed = |key| presses(key) > 0;
-        let labels = said_of(context, frame);
         let mut send = |command| context.commands.push(Command::from(command));
         if pressed(Key::Delete) || pressed(Key::Backspace) {
             send(LabelCommand::Delete);
@@ -239,6 +239,7 @@ impl Labeller {
         if by == [0.0; 2] {
             return;
         }
+        let labels = said_of(context, frame);
         let own = labels.as_ref().zip(context.selection);
         let own = own.and_then(|(labels, id)| labels.of(id));
         let Some(own) = own else { return };
@@ -246,11 +247,12 @@ impl Labeller {
         let low = if shift { own.min } else { moved(own.min) };
         let corners = [low, moved(own.max)];
         if let Some(label) = own.reshaped(corners, size) {
-            send(LabelCommand::Set {
+            let set = LabelCommand::Set {
                 frame,
                 label,
                 finished: true,
-            });
+            };
+            context.commands.push(Command::from(set));
         }
     }
 
@@ -258,13 +260,12 @@ impl Labeller {
         &self,
         painter: &Painter,
         context: &ViewContext<'_>,
-        frame: usize,
+        labels: Option<&FrameLabels>,
         placement: CanvasPlacement,
     ) {
         let tokens = context.tokens;
         let mut taken = Vec::new();
-        let labels = said_of(context, frame);
-        for label in labels.iter().flat_map(|l| &l.boxes) {
+        for label in labels.into_iter().flat_map(|l| &l.boxes) {
             let (rect, color) = (placement.of(label), color_of(context, label.landmark));
             let is_selected = context.selection == Some(label.landmark);
             let width = if is_selected { 2.0 } else { 1.5 };
@@ -348,10 +349,9 @@ fn grip(rect: Rect, at: Pos2) -> Option<[[bool; 2]; 2]> {
 }
 
 /// Description of the picture's labels in a line, for those who do not see it.
-fn described(context: &ViewContext<'_>, frame: usize, name: &str) -> String {
-    let labels = said_of(context, frame);
+fn described(labels: Option<&FrameLabels>, name: &str) -> String {
     let boxes: Vec<String> = labels
-        .iter()
+        .into_iter()
         .flat_map(|l| &l.boxes)
         .map(|b| {
             let [width, height] = b.size();

@@ -60,6 +60,11 @@ impl Untested {
         }
     }
 
+    /// Whether something is known that may be of another plan.
+    pub fn is_known(&self) -> bool {
+        self.asked.is_none() && self.of.is_some()
+    }
+
     /// Forgets what is of another plan than `order`, where nobody may ask anew.
     pub fn keep_to(&mut self, order: &UntestedOrder) {
         let is_other = |of: &UntestedOrder| !holds(of, order);

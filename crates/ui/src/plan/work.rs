@@ -77,7 +77,8 @@ impl Planner {
         let documents = &*context.documents;
         let may = self.preferences.tests_ahead && context.host.works_ahead();
         let of_web = matches!(documents.map.source, MapSource::Web(_));
-        let order = self.untested_order(documents);
+        let matters = may || self.untested.is_known();
+        let order = matters.then(|| self.untested_order(documents)).flatten();
         if let Some(order) = order.as_ref().filter(|_| !may) {
             self.untested.keep_to(order);
         }

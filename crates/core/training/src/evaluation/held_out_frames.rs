@@ -84,8 +84,9 @@ impl FrameGround {
         let cells = (0..GRID * GRID).map(|cell| (part(cell % GRID), part(cell / GRID)));
         let pixels = cells.map(|(x, y)| Point2::new(x * width, y * height));
         let down = flight.ground_down;
+        let posed = camera.posed(&pose);
         let ground: Vec<_> = pixels
-            .filter_map(|pixel| camera.ground_at(&pose, &pixel, down))
+            .filter_map(|pixel| posed.ground_at(&pixel, down))
             .collect();
         let count = ground.len().max(1) as f64;
         let middle = GroundPoint::new(
@@ -111,8 +112,9 @@ impl FrameGround {
             return 0.0;
         }
         let (width, height) = (other.camera.width as f64, other.camera.height as f64);
+        let posed = other.camera.posed(&other.pose);
         let is_in = |place: &&Point3<f64>| {
-            let pixel = other.camera.project(&other.pose, place);
+            let pixel = posed.project(place);
             pixel.is_some_and(|p| p.x > 0.0 && p.x < width && p.y > 0.0 && p.y < height)
         };
         self.places.iter().filter(is_in).count() as f64 / (GRID * GRID) as f64
