@@ -45,16 +45,26 @@ impl PlannedPath {
             height: self.height,
             targets: self.targets.clone(),
             wind: self.wind.velocity(),
-            longest: longest_flight(&self.way_points, airframe.cruise),
+            longest: self.longest(),
             airframe,
             sensors: SensorSpec {
-                frame_rate: self.frame_rate.unwrap_or_else(Self::usual_frame_rate),
+                frame_rate: self.rate(),
                 ..SensorSpec::default()
             },
             camera: self.camera.clone(),
             frame_on_globe: LocalFrame::new(world_origin()),
             ground_down: self.ground_down,
         }
+    }
+
+    /// Pictures a second that are taken.
+    fn rate(&self) -> f64 {
+        self.frame_rate.unwrap_or_else(Self::usual_frame_rate)
+    }
+
+    /// Longest time for which it is flown, seconds.
+    fn longest(&self) -> f64 {
+        longest_flight(&self.way_points, self.airspeed.unwrap_or_else(cruise))
     }
 }
 
@@ -71,12 +81,7 @@ impl PredictionOrder {
 
     /// Whether the flight that a prediction is of was broken off before its end, as the wind is too strong to get on.
     pub fn is_stopped(&self, prediction: &RoutePrediction) -> bool {
-        let path = &self.path;
-        let airspeed = path.airspeed.unwrap_or_else(cruise);
-        let longest = longest_flight(&path.way_points, airspeed);
-        let rate = path
-            .frame_rate
-            .unwrap_or_else(PlannedPath::usual_frame_rate);
+        let (rate, longest) = (self.path.rate(), self.path.longest());
         let last = prediction.samples.last();
         last.is_some_and(|last| last.time + 1.0 / rate + RECORD >= longest)
     }

@@ -26,12 +26,8 @@ pub fn quantile_ranks(count: u64, share: f64) -> Option<[u64; 2]> {
     });
     let below: Vec<f64> = below.collect();
     // The low rank lies above the quantile where no more draws than that are below it, the high one below it where more are.
-    let low = first + below.iter().take_while(|share| **share <= TAIL).count() as u64;
-    let high = first
-        + below
-            .iter()
-            .take_while(|share| **share < 1.0 - TAIL)
-            .count() as u64;
+    let low = first + below.partition_point(|share| *share <= TAIL) as u64;
+    let high = first + below.partition_point(|share| *share < 1.0 - TAIL) as u64;
     (low > 0 && high < count).then(|| [low - 1, high])
 }
 

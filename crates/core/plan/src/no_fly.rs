@@ -23,8 +23,7 @@ pub(super) struct Obstacles<'a> {
 impl Obstacles<'_> {
     /// Whether a place lies in an area or too near to one.
     pub fn forbid(&self, place: &GroundPoint) -> bool {
-        let margin = self.clearance - ROUNDING;
-        self.areas.iter().any(|area| is_within(area, place, margin))
+        !self.leave_room(place, -ROUNDING)
     }
 
     /// Whether the straight way from `a` to `b` keeps clear of every area.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::folder::FolderFrames;
-use pilotage_base::files::{FileSet, folder_of, joined};
+use pilotage_base::files::{FileSet, file_of, folder_of, joined};
 use pilotage_flight::{Flight, Frame, FrameSource};
 use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 
@@ -70,7 +70,7 @@ fn film_of(table: &str) -> Option<&str> {
 /// Name of a file without its ending, in small letters, with its folder and without.
 fn stems(name: &str) -> [String; 2] {
     let name = name.to_lowercase();
-    let file = name.rsplit('/').next().unwrap_or(&name);
+    let file = file_of(&name);
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     [joined(folder_of(&name), stem), stem.to_owned()]
 }

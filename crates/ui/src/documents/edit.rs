@@ -64,13 +64,7 @@ impl Documents {
 
     /// Deletes a landmark; true if there was one.
     pub fn delete_landmark(&mut self, id: u32) -> bool {
-        let known = self.mission.landmark(id).is_some();
-        if known {
-            self.mission.remember();
-            self.mission.delete_landmarks(&[id]);
-            self.mission.is_edited = true;
-        }
-        known
+        self.delete_landmarks(&[id])
     }
 
     /// Navigates with other settings; true if they differ. `continues` joins the change to the

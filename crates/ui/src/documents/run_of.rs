@@ -1,6 +1,6 @@
 //! The flight of which a run was made, told by the readings that the run holds.
 
-use pilotage_core::flight::{ChannelName, Flight};
+use pilotage_core::flight::Flight;
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::navigator::{Control, Run, SensorFault, StepReport};
 
@@ -17,27 +17,19 @@ pub fn is_run_of(run: &Run, flight: &Flight) -> bool {
 }
 
 fn is_step_of(step: &StepReport, flight: &Flight) -> bool {
-    let now = flight.attitude(step.time).unwrap_or_default();
-    let height = flight.value(ChannelName::HeightAboveGround, step.time);
-    let Control {
-        airspeed,
-        heading,
-        roll,
-        pitch,
-        height: flown_at,
-    } = step.control;
+    let (flown, read) = (&step.control, Control::of(flight, step.time));
     let is_same = |a: f64, b: f64| (a - b).abs() < SAME_READING;
-    let is_airspeed = match (airspeed, flight.value(ChannelName::Airspeed, step.time)) {
+    let is_airspeed = match (flown.airspeed, read.airspeed) {
         (Some(a), Some(b)) => is_same(a, b),
         (a, b) => a == b,
     };
     // A compass that is found to be turned is turned back in the run, not in the flight.
     let is_turned = |why| matches!(why, SensorFault::Turned { .. });
     let is_heading = step.doubts.iter().any(|doubt| is_turned(doubt.why))
-        || is_same(wrap_pi(heading - now.yaw), 0.0);
+        || is_same(wrap_pi(flown.heading - read.heading), 0.0);
     is_airspeed
         && is_heading
-        && is_same(roll, now.roll)
-        && is_same(pitch, now.pitch)
-        && is_same(flown_at, height.unwrap_or(0.0))
+        && is_same(flown.roll, read.roll)
+        && is_same(flown.pitch, read.pitch)
+        && is_same(flown.height, read.height)
 }

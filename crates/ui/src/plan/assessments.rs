@@ -134,12 +134,10 @@ impl Assessments {
         let now = basis_now(documents);
         let before = self.planned.as_ref().map(|(basis, _)| basis);
         if now.as_ref() != before {
-            for id in self.bases.iter().map(|(id, _)| *id).collect::<Vec<_>>() {
-                if let Some((basis, _)) = self.bases.remove(&id) {
-                    let is_of_now = now.as_ref().is_some_and(|now| basis.is_like(now));
-                    self.bases.insert(id, (basis, is_of_now));
-                }
-            }
+            self.bases.retain(|(basis, is_of_now)| {
+                *is_of_now = now.as_ref().is_some_and(|now| basis.is_like(now));
+                true
+            });
         }
         self.planned = now.map(|basis| (basis, height));
     }

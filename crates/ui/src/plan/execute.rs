@@ -321,8 +321,7 @@ fn ends_pattern(route: &Route, command: &PlanCommand) -> bool {
         PlanCommand::SetAltitude {
             index: Some(index), ..
         } => {
-            let of = route.way_points.get(*index);
-            let lands = *index == last && of.is_some_and(|w| w.action == WayPointAction::Land);
+            let lands = *index == last && route.lands();
             *index > 0 && !lands
         }
         PlanCommand::SetSpeed { index, .. } => *index != 1,

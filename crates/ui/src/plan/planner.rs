@@ -207,10 +207,14 @@ impl Planner {
         self.table.mark(ids);
     }
 
-    /// The wind that is planned with: calm where nobody states one and the open flight tells none.
+    /// The wind that somebody stated, or else the open flight tells.
+    pub fn known_wind(&self, documents: &Documents) -> Option<Wind> {
+        self.preferences.wind.or_else(|| flight_wind(documents))
+    }
+
+    /// The wind that is planned with: calm where none is known.
     pub fn wind(&self, documents: &Documents) -> Wind {
-        let stated = self.preferences.wind.or_else(|| flight_wind(documents));
-        stated.unwrap_or_default()
+        self.known_wind(documents).unwrap_or_default()
     }
 
     /// Order of the measurement of a landmark.

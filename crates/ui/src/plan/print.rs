@@ -180,7 +180,6 @@ impl Planner {
         let Some(printing) = &mut self.printing else {
             return false;
         };
-        let route = printing.route;
         let Some(asked) = printing.asked.take_if(is_it) else {
             return false;
         };
@@ -201,12 +200,7 @@ impl Planner {
                 context.trouble("The mission brief cannot be drawn", why.as_str());
             }
             JobEvent::Finished | JobEvent::Cancelled => self.printing = None,
-            _ => {
-                self.printing = Some(Printing {
-                    route,
-                    asked: Some(asked),
-                });
-            }
+            _ => printing.asked = Some(asked),
         }
         true
     }

@@ -57,8 +57,13 @@ impl Relief<'_> {
 
     /// Height of the ground where a route takes off, metres.
     pub fn take_off(&self, route: &Route) -> f64 {
-        let place = take_off_place(route, &self.world, |place| self.knows(place));
+        let place = self.take_off_place(route);
         place.map_or(self.level, |place| self.at(&place))
+    }
+
+    /// Place from whose ground altitudes above take-off are counted.
+    fn take_off_place(&self, route: &Route) -> Option<GroundPoint> {
+        take_off_place(route, &self.world, |place| self.knows(place))
     }
 
     /// Whether the elevation model knows a place.
@@ -107,7 +112,7 @@ impl Relief<'_> {
     /// Share of a route over ground that the elevation model does not know, 0 to 1.
     fn unknown(&self, route: &Route) -> f64 {
         let places = places(route);
-        let unknown = |p: &&GroundPoint| self.terrain.height_at(p).is_none();
+        let unknown = |p: &&GroundPoint| !self.knows(p);
         places.iter().filter(unknown).count() as f64 / places.len().max(1) as f64
     }
 
@@ -145,7 +150,7 @@ impl Relief<'_> {
         );
         if frames(AltitudeFrame::AboveTakeOff) {
             let (factor, unit) = units.length();
-            let place = take_off_place(route, &self.world, |place| self.knows(place));
+            let place = self.take_off_place(route);
             let first = route.way_points.first().map(|w| w.position);
             let place = if place == first {
                 "the first way-point"

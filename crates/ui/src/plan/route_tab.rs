@@ -308,10 +308,9 @@ fn prediction(
 
 /// Wind that is planned with, in words.
 pub fn wind_words(planner: &Planner, documents: &Documents, units: Units) -> String {
-    if planner.preferences.wind.is_none() && flight_wind(documents).is_none() {
+    let Some(wind) = planner.known_wind(documents) else {
         return "Calm: nobody stated a wind, and no flight tells one.".to_owned();
-    }
-    let wind = planner.wind(documents);
+    };
     let (factor, unit) = units.speed();
     format!(
         "Wind from {:03.0}° with {:.1} {unit}.",

@@ -28,7 +28,7 @@ pub struct Control {
 
 impl Control {
     /// Readings of the instruments of `flight` at `time`, seconds.
-    pub(super) fn of(flight: &Flight, time: f64) -> Self {
+    pub fn of(flight: &Flight, time: f64) -> Self {
         let value = |name| flight.value(name, time);
         let now = flight.attitude(time).unwrap_or_default();
         Self {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::rate::correlation_within;
+use super::rate::{correlation_within, counts_by_day};
 use super::{EvaluatedLook, Rate};
 
 /// Most bins between the least and the greatest value.
@@ -139,14 +139,7 @@ fn by_day<'a>(
     looks: impl Iterator<Item = &'a EvaluatedLook>,
     what: &dyn Fn(&EvaluatedLook) -> (bool, bool),
 ) -> Vec<(usize, usize)> {
-    let mut days = std::collections::BTreeMap::<usize, (usize, usize)>::new();
-    for look in looks {
-        let (happened, possible) = what(look);
-        let day = days.entry(look.day).or_default();
-        day.0 += usize::from(happened);
-        day.1 += usize::from(possible);
-    }
-    days.into_values().collect()
+    counts_by_day(looks.map(|look| (look.day, what(look))))
 }
 
 /// Round edges (1, 2 or 5 times a power of ten apart) around all values, or the values themselves.

@@ -1,12 +1,10 @@
 //! Probability that a mark is right, given its score.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
 use super::draws::by_day;
 use super::isotonic::Isotonic;
-use super::rate::correlation_within;
+use super::rate::{correlation_within, counts_by_day};
 use super::{EvaluatedLook, Rate};
 use pilotage_vision::landmark::trained::Likelihood;
 
@@ -251,13 +249,7 @@ fn folds(looks: &[EvaluatedLook]) -> Vec<usize> {
 
 /// Rate of right marks, given the day of each and whether it is right: marks of a day go together.
 fn of_days(marks: impl Iterator<Item = (usize, bool)>) -> Rate {
-    let mut days = BTreeMap::<usize, (usize, usize)>::new();
-    for (day, right) in marks {
-        let day = days.entry(day).or_default();
-        day.0 += usize::from(right);
-        day.1 += 1;
-    }
-    let days: Vec<_> = days.into_values().collect();
+    let days = counts_by_day(marks.map(|(day, right)| (day, (right, true))));
     Rate::clustered(&days, correlation_within(&days))
 }
 

@@ -1,5 +1,7 @@
 //! Shares with their uncertainty.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 /// Standard deviations within which 95 % of a normal variable lie.
@@ -131,6 +133,19 @@ pub fn correlation_within(clusters: &[(usize, usize)]) -> f64 {
     } else {
         0.0
     }
+}
+
+/// Counts (happened, could have happened) by day, of tries with their day.
+pub(super) fn counts_by_day(
+    tries: impl Iterator<Item = (usize, (bool, bool))>,
+) -> Vec<(usize, usize)> {
+    let mut days = BTreeMap::<usize, (usize, usize)>::new();
+    for (day, (happened, possible)) in tries {
+        let day = days.entry(day).or_default();
+        day.0 += usize::from(happened);
+        day.1 += usize::from(possible);
+    }
+    days.into_values().collect()
 }
 
 fn totals(clusters: &[(usize, usize)]) -> (usize, usize) {
