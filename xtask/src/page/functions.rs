@@ -15,7 +15,7 @@ pub struct Functions<'a> {
     /// End of the last section that was read.
     end: usize,
     /// Functions that come from outside and are counted first.
-    imported: u32,
+    pub imported: u32,
     /// Bytes of the code of each own function, without the length that stands before it.
     pub bodies: Vec<Range<usize>>,
     /// Mangled names by number.
@@ -62,9 +62,15 @@ impl<'a> Functions<'a> {
 
     /// Demangled name, empty where there is none, and bytes of code of each own function.
     pub fn own(&self) -> impl Iterator<Item = (String, Range<usize>)> {
-        (self.imported..).zip(&self.bodies).map(|(index, body)| {
-            let mangled = self.names.get(&index).copied().unwrap_or_default();
-            (demangled(mangled), body.clone())
+        self.numbered()
+            .map(|(number, name)| (name, self.bodies[(number - self.imported) as usize].clone()))
+    }
+
+    /// Number, counted behind the imported ones, and demangled name of each own function.
+    pub fn numbered(&self) -> impl Iterator<Item = (u32, String)> {
+        (self.imported..).take(self.bodies.len()).map(|number| {
+            let mangled = self.names.get(&number).copied().unwrap_or_default();
+            (number, demangled(mangled))
         })
     }
 }
@@ -97,39 +103,72 @@ fn demangled(mangled: &str) -> String {
 /// Modules for the tests.
 #[cfg(test)]
 pub mod made {
-    /// A module with an imported function and two own ones of five and of three bytes, named.
+    /// A length in two bytes of seven bits each.
+    fn length(count: usize) -> [u8; 2] {
+        let count = u16::try_from(count).expect("a short part");
+        [(count & 0x7f) as u8 | 0x80, (count >> 7) as u8]
+    }
+
+    fn section(id: u8, content: &[u8]) -> Vec<u8> {
+        [&[id][..], &length(content.len()), content].concat()
+    }
+
+    /// A text behind its length.
+    fn text(text: &str) -> Vec<u8> {
+        let length = u8::try_from(text.len()).expect("a short text");
+        [&[length], text.as_bytes()].concat()
+    }
+
+    /// A custom section.
+    fn custom(name: &str, content: &[u8]) -> Vec<u8> {
+        section(0, &[&text(name)[..], content].concat())
+    }
+
+    /// A module with an imported function and three own ones of five, three and two bytes, named, of which the first is
+    /// exported. That needs the second and a text; the second needs a table that holds the third. The last letter
+    /// of the text is that of another one, which is to be kept.
     pub fn module() -> Vec<u8> {
-        // A length in two bytes of seven bits each.
-        let length = |count: usize| {
-            let count = u16::try_from(count).expect("a short part");
-            [(count & 0x7f) as u8 | 0x80, (count >> 7) as u8]
-        };
-        let section =
-            |id: u8, content: &[u8]| [&[id][..], &length(content.len()), content].concat();
-        let names = |names: &[(u8, &str)]| {
-            let count = u8::try_from(names.len()).expect("few names");
-            let mut map = vec![count];
-            for (index, name) in names {
-                map.extend([*index, u8::try_from(name.len()).expect("a short name")]);
-                map.extend(name.as_bytes());
-            }
-            [&[4][..], b"name", &[1], &length(map.len()), &map].concat()
-        };
-        let named = names(&[
+        let named = [
             (0, "the_page"),
             (1, "_ZN4egui7context3run17h0123456789abcdefE"),
             (
                 2,
                 "_ZN50_$LT$egui..Ui$u20$as$u20$core..ops..drop..Drop$GT$4drop17h0123456789abcdefE",
             ),
-        ]);
+            (3, "_ZN4egui7painter5paint17h0123456789abcdefE"),
+        ];
+        let mut names = vec![4];
+        names.extend(
+            named
+                .iter()
+                .flat_map(|(number, name)| [&[*number], &text(name)[..]].concat()),
+        );
+        let function = |number: u8| vec![0, 0, number];
+        let data = |name: &str, flags: &[u8], offset: u8, size: u8| {
+            [&[1], flags, &text(name)[..], &[0, offset, size]].concat()
+        };
+        let mut symbols = vec![6];
+        for (number, name) in [(1, "run"), (2, "drop"), (3, "paint")] {
+            symbols.extend([function(number), text(name)].concat());
+        }
+        symbols.extend(data("text", &[0], 0, 4));
+        symbols.extend(data("table", &[0], 4, 4));
+        symbols.extend(data("letter", &[0x80, 1], 3, 1));
+        let linking = [&[2, 8][..], &length(symbols.len()), &symbols].concat();
         [
             b"\0asm\x01\0\0\0".to_vec(),
             section(1, &[1, 0x60, 0, 0]),
             section(2, b"\x01\x01a\x01b\0\0"),
-            section(3, &[2, 0, 0]),
-            section(10, &[2, 5, 0, 1, 1, 1, 0x0b, 3, 0, 1, 0x0b]),
-            section(0, &named),
+            section(3, &[3, 0, 0, 0]),
+            section(5, &[1, 0, 1]),
+            section(7, b"\x01\x01r\0\x01"),
+            section(10, &[3, 5, 0, 1, 1, 1, 0x0b, 3, 0, 1, 0x0b, 2, 0, 0x0b]),
+            section(11, b"\x01\0\x41\0\x0b\x08texttabl"),
+            custom("linking", &linking),
+            // Kind, place in the section, symbol, and for an address what is added to it.
+            custom("reloc.CODE", &[5, 3, 0, 3, 1, 4, 4, 3, 0, 4, 9, 4, 0]),
+            custom("reloc.DATA", &[6, 1, 2, 10, 2]),
+            custom("name", &[&[1][..], &length(names.len()), &names].concat()),
         ]
         .concat()
     }
@@ -145,11 +184,11 @@ mod tests {
         let functions = Functions::of(&module).unwrap();
         let own: Vec<_> = functions.own().collect();
         let lengths: Vec<_> = own.iter().map(|(_, body)| body.len()).collect();
-        assert_eq!(lengths, [5, 3]);
+        assert_eq!(lengths, [5, 3, 2]);
         assert_eq!(own[0].0, "egui::context::run");
         assert_eq!(own[1].0, "egui::Ui as core::ops::drop::Drop>::drop");
         assert_eq!(module[functions.section.start], 10);
-        assert_eq!(module[functions.section.end], 0, "the names come next");
+        assert_eq!(module[functions.section.end], 11, "the data come next");
     }
 
     #[test]

@@ -10,6 +10,7 @@ mod functions;
 mod never_called;
 mod offline;
 mod profile;
+mod references;
 mod side_by_side;
 mod sizes;
 mod wasm;

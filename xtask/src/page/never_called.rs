@@ -2,14 +2,20 @@
 //!
 //! The compiler cannot know that the page brings its own letters, or that it copies no pictures: which kind of font is
 //! read and what is copied is decided while it runs. `xtask/never_called.toml` lists such functions with the reason; each
-//! ends the program should it be called after all. What only they call goes with them, when the glue is made. The
-//! journeys walk through programs that are built so.
+//! ends the program should it be called after all. What only they need goes with them: functions, and data, which become
+//! zeros (`references.rs`). The journeys walk through programs that are built so.
 
-use std::{collections::BTreeSet, ops::Range};
+use std::collections::BTreeSet;
 
 use toml::{Table, Value};
 
-use super::{functions::Functions, profile::PROGRAMS};
+use wasmparser::{Parser, Payload};
+
+use super::{
+    functions::Functions,
+    profile::PROGRAMS,
+    references::{References, Unneeded},
+};
 
 /// Code of a function that ends the program: no variables, `unreachable`, `end`.
 const TRAP: [u8; 3] = [0, 0, 0x0b];
@@ -50,15 +56,15 @@ pub fn without(
     let groups = groups(list, package)?;
     let functions = Functions::of(module)?;
     // Telling their names takes longer than looking for them.
-    let own: Vec<_> = functions.own().collect();
+    let own: Vec<_> = functions.numbered().collect();
     let mut taken = Vec::new();
     let mut missing = Vec::new();
     for group in &groups {
         let mut unfound: BTreeSet<&str> = group.begins.iter().map(String::as_str).collect();
-        for (name, body) in &own {
+        for (number, name) in &own {
             if let Some(begin) = group.begin_of(name) {
                 unfound.remove(begin);
-                taken.push(body.clone());
+                taken.push(*number);
             }
         }
         if is_shipped || unfound.len() == group.begins.len() {
@@ -69,9 +75,11 @@ pub fn without(
         let missing = missing.join(", ");
         return Err(format!("{package} has no function {missing} any more"));
     }
-    taken.sort_by_key(|body| body.start);
-    taken.dedup();
-    Ok(rewritten(module, &functions, &taken))
+    taken.sort_unstable();
+    let mut unneeded = References::of(module)?.unneeded(&functions, &taken);
+    unneeded.functions.extend(taken);
+    unneeded.functions.sort_unstable();
+    rewritten(module, &functions, &unneeded).map_err(|error| error.to_string())
 }
 
 /// The groups of `package` in the text of the list.
@@ -107,12 +115,46 @@ fn groups(list: &str, package: &str) -> Result<Vec<Group>, String> {
     Ok(groups)
 }
 
-/// The module with traps in place of the bodies `taken`, which are in order.
-fn rewritten(module: &[u8], functions: &Functions<'_>, taken: &[Range<usize>]) -> Vec<u8> {
+/// The module with traps in the place of functions and zeros in the place of data that are `unneeded`, and without what
+/// the linker told.
+fn rewritten(
+    module: &[u8],
+    functions: &Functions<'_>,
+    unneeded: &Unneeded,
+) -> wasmparser::Result<Vec<u8>> {
+    let mut cleared = module.to_vec();
+    for place in &unneeded.data {
+        cleared[place.clone()].fill(0);
+    }
+    let mut made = Vec::new();
+    let mut end = 0;
+    for payload in Parser::new(0).parse_all(module) {
+        let payload = payload?;
+        let begin = end;
+        match &payload {
+            Payload::Version { range, .. } => end = range.end,
+            _ => end = payload.as_section().map_or(end, |(_, section)| section.end),
+        }
+        match &payload {
+            Payload::CodeSectionStart { .. } => made.extend(code(module, functions, unneeded)),
+            Payload::DataSection(_) => made.extend(&cleared[begin..end]),
+            Payload::CustomSection(section) if is_of_linker(section.name()) => {}
+            _ => made.extend(&module[begin..end]),
+        }
+    }
+    Ok(made)
+}
+
+/// Whether the linker wrote the section of that name for itself.
+fn is_of_linker(name: &str) -> bool {
+    name == "linking" || name.starts_with("reloc.")
+}
+
+/// The section of code with traps in the place of functions that are `unneeded`.
+fn code(module: &[u8], functions: &Functions<'_>, unneeded: &Unneeded) -> Vec<u8> {
     let mut code = length(functions.bodies.len());
-    for body in &functions.bodies {
-        let is_taken = taken.binary_search_by_key(&body.start, |one| one.start);
-        let content = if is_taken.is_ok() {
+    for (number, body) in (functions.imported..).zip(&functions.bodies) {
+        let content = if unneeded.functions.binary_search(&number).is_ok() {
             &TRAP
         } else {
             &module[body.clone()]
@@ -120,11 +162,7 @@ fn rewritten(module: &[u8], functions: &Functions<'_>, taken: &[Range<usize>]) -
         code.extend(length(content.len()));
         code.extend(content);
     }
-    let (before, after) = (
-        &module[..functions.section.start],
-        &module[functions.section.end..],
-    );
-    [before, &[CODE], &length(code.len()), &code, after].concat()
+    [&[CODE], &length(code.len())[..], &code].concat()
 }
 
 /// Number in bytes of seven bits each, the last of which come last.
@@ -152,7 +190,7 @@ mod tests {
         format!("[[group]]\nprograms = [\"{PAGE}\"]\nbecause = \"a test\"\nbegins = [{begins}]")
     }
 
-    /// Code of the two functions of the made module that are left.
+    /// Code of the three functions of the made module that are left.
     fn left(begins: &str) -> Result<Vec<Vec<u8>>, String> {
         let module = without(&made::module(), &list(begins), PAGE, true)?;
         let functions = Functions::of(&module)?;
@@ -162,12 +200,25 @@ mod tests {
 
     #[test]
     fn what_is_listed_ends_the_program_and_the_rest_stays() {
-        let both = left("\"egui::context\", \"egui::Ui\"").unwrap();
-        assert_eq!(both, [TRAP, TRAP]);
-        let first = left("\"egui::context\"").unwrap();
-        assert_eq!(first, [TRAP.to_vec(), vec![0, 1, 0x0b]]);
+        let (run, drop) = (vec![0, 1, 1, 1, 0x0b], vec![0, 1, 0x0b]);
+        let third = left("\"egui::painter\"").unwrap();
+        assert_eq!(third, [run.clone(), drop, TRAP.to_vec()]);
         let second = left("\"egui::*>::drop\"").unwrap();
-        assert_eq!(second, [vec![0, 1, 1, 1, 0x0b], TRAP.to_vec()]);
+        assert_eq!(second, [run, TRAP.to_vec(), TRAP.to_vec()]);
+        let first = left("\"egui::context\"").unwrap();
+        assert_eq!(first, [TRAP, TRAP, TRAP]);
+    }
+
+    #[test]
+    fn data_that_only_they_need_become_zeros_and_the_linker_is_not_heard_any_more() {
+        let has = |module: &[u8], text: &[u8]| module.windows(text.len()).any(|part| part == text);
+        let taken = without(&made::module(), &list("\"egui::*>::drop\""), PAGE, true).unwrap();
+        assert!(has(&taken, b"text\0\0\0\0") && has(&taken, b"egui7painter"));
+        let whole = without(&made::module(), "", PAGE, true).unwrap();
+        assert!(has(&whole, b"texttabl"));
+        for module in [taken, whole] {
+            assert!(!has(&module, b"linking") && !has(&module, b"reloc."));
+        }
     }
 
     #[test]
