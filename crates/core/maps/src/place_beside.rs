@@ -215,12 +215,15 @@ impl<'a> SideFiles<'a> {
         found.or_else(|| self.with_ending(self.picture, ending))
     }
 
-    /// The same, unless it is the world file of another picture.
+    /// The same of a world file: in place of the picture's ending it may be that of another picture.
     fn world_file(&self, ending: &str) -> Option<(String, Vec<u8>)> {
-        let found = self.find(ending)?;
-        let (stem, _) = self.picture.rsplit_once('.')?;
-        let has = |of: &str| self.name_with_ending(stem, &format!(".{of}")).is_some();
-        (!is_of_another(ending, self.picture, has)).then_some(found)
+        let is_own = || {
+            let stem = self.picture.rsplit_once('.').map_or("", |(stem, _)| stem);
+            let has = |of: &str| self.name_with_ending(stem, &format!(".{of}")).is_some();
+            !is_of_another(ending, self.picture, has)
+        };
+        let found = self.in_place(ending).filter(|_| is_own());
+        found.or_else(|| self.with_ending(self.picture, ending))
     }
 
     /// The same of the one that has `ending` in place of the picture's.

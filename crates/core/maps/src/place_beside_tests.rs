@@ -71,6 +71,12 @@ fn a_picture_is_placed_by_the_world_file_of_its_own_kind() {
     let beside = [("map.jgw", REDUCED), ("map.JPG", "")];
     let error = open(&beside, "map.png", &in_zone_17()).err().unwrap();
     assert!(error.contains("does not say where it lies"), "{error}");
+    // Behind the whole name it can be that of no other; and there are pictures without an ending.
+    let beside = [("map.png.jgw", REDUCED), ("map.jpg", "")];
+    for (picture, beside) in [("map.png", &beside[..]), ("scan", &[("scan.wld", REDUCED)])] {
+        let map = open(beside, picture, &in_zone_17()).unwrap();
+        assert!((map.native_gsd() - 2.0 / 0.9996).abs() < 1e-6);
+    }
 }
 
 #[test]
@@ -91,10 +97,18 @@ fn pictures_with_a_world_file_are_those_that_it_places() {
         "d.jpeg",
         "d.jpeg.jgw",
         "e.jpg",
+        "f.jpg",
+        "f.png",
+        "f.png.jgw",
+        "scan",
+        "scan.wld",
     ]);
-    let pictures = names(&["a.jpg", "a.png", "b.PNG", "c.jpg", "d.jpeg", "e.jpg"]);
-    let placed = with_world_file(&all, &pictures);
-    assert_eq!(placed, names(&["a.jpg", "b.PNG", "c.jpg", "d.jpeg"]));
+    let pictures = [
+        "a.jpg", "a.png", "b.PNG", "c.jpg", "d.jpeg", "e.jpg", "f.jpg", "f.png", "scan",
+    ];
+    let placed = with_world_file(&all, &names(&pictures));
+    let right = ["a.jpg", "b.PNG", "c.jpg", "d.jpeg", "f.png", "scan"];
+    assert_eq!(placed, names(&right));
 }
 
 #[test]
