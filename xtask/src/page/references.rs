@@ -1,4 +1,4 @@
-//! What code and data of a module need, as the linker tells it (`--emit-relocs` in `.cargo/config.toml`): it leaves
+//! Code and data that a module needs, as the linker tells it (`--emit-relocs` in `.cargo/config.toml`): it leaves
 //! every place that it has filled in with a function or an address, and what that is of. Format: Linking.md of
 //! WebAssembly's tool conventions.
 
@@ -141,11 +141,11 @@ impl References {
 /// A module as far as it was read.
 #[derive(Default)]
 struct Reading {
-    /// Where the content of each section begins.
+    /// Beginnings of the contents of the sections.
     sections: Vec<usize>,
     /// Sections of code and of data.
     with_needs: Vec<u32>,
-    /// Where the bytes of each piece of memory begin.
+    /// Beginnings of the bytes of the pieces of memory.
     segments: Vec<usize>,
     references: References,
 }
@@ -242,7 +242,7 @@ mod tests {
     use super::*;
     use crate::page::functions::made;
 
-    /// What is unneeded once `taken` are taken: functions, and the bytes of the data.
+    /// Functions and bytes of data that are unneeded once `taken` are taken.
     fn unneeded(taken: &[u32]) -> (Vec<u32>, Vec<Vec<u8>>) {
         let module = made::module();
         let references = References::of(&module).unwrap();
