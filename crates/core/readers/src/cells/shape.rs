@@ -329,6 +329,47 @@ impl SeparatorTrial {
         })
     }
 
+    /// The line of names above the first row of the usual length: behind it there may be rows of other lengths, which have
+    /// an event at their end or lost their empty cells. It has a name less than there are cells, or more: as many as the
+    /// longest rows, unless it is a remark or words between blanks, which may be talk.
+    fn head_above(
+        &self,
+        lines: &[&str],
+        start: usize,
+        is_head: impl Fn(&[Cow<str>]) -> bool,
+    ) -> Option<usize> {
+        for (at, line) in lines[..start].iter().enumerate().rev() {
+            let may_be_talk = line.starts_with(REMARKS) || self.separator == Separator::Blanks;
+            let cells = self
+                .separator
+                .cells(line.trim_start_matches(REMARKS).trim());
+            if cells.len() < 2 || cells.len() + 1 < self.count {
+                return None;
+            }
+            if is_head(&cells) {
+                let named = cells.iter().take(self.count);
+                let are_names = named
+                    .clone()
+                    .all(|cell| !cell.is_empty() && !is_value(cell));
+                let is_near = cells.len() <= self.count + 1;
+                let found = (is_near || are_names && !may_be_talk).then_some(at)?;
+                // Units may stand below the names.
+                let above = found
+                    .checked_sub(1)
+                    .filter(|above| !is_remark(lines[*above]));
+                let is_above = |above: &usize| {
+                    let names = self.separator.cells(lines[*above]);
+                    names.len() == cells.len() && is_head(&names)
+                };
+                return Some(above.filter(is_above).unwrap_or(found));
+            }
+            if is_remark(line) {
+                return None;
+            }
+        }
+        None
+    }
+
     fn shape(&self, lines: &[&str]) -> Option<TableShape> {
         let cells = |at: usize| lines.get(at).map(|line| self.separator.cells(line));
         let fits = |at: &usize| {
@@ -348,16 +389,13 @@ impl SeparatorTrial {
         };
         let mut start = rows[0];
         let mut has_header = is_head(&cells(start)?);
-        if !has_header && start > 0 {
-            // A header that has one name more or less than there are cells, or is a remark.
-            let before = lines[start - 1].trim_start_matches(REMARKS).trim();
-            let names = self.separator.cells(before);
-            if names.len().abs_diff(self.count) <= 1 && names.len() > 1 && is_head(&names) {
-                start -= 1;
-                has_header = true;
-            }
+        if !has_header && let Some(head) = self.head_above(lines, start, is_head) {
+            start = head;
+            has_header = true;
         }
-        let second = rows.iter().find(|row| **row > start).copied();
+        let head_width = cells(start).map_or(0, |cells| cells.len());
+        let is_as_wide = |at: usize| cells(at).is_some_and(|cells| cells.len() == head_width);
+        let second = (start + 1..lines.len()).find(|at| fits(at) || is_as_wide(*at));
         // Not every column has a unit in brackets below its name.
         let is_in_brackets = |cell: &Cow<str>| {
             let ends = [('(', ')'), ('[', ']')];
@@ -461,6 +499,31 @@ mod tests {
             ("3351.0S", -33.85),
         ] {
             assert_eq!(number(cell, false), Some(value), "{cell}");
+        }
+    }
+
+    #[test]
+    fn names_stand_above_rows_of_other_lengths() {
+        for text in [
+            // An event behind the first row; two names more; empty cells lost; both.
+            "t,lon,lat,event\n0,18.42,-33.85,takeoff\n1,18.42,-33.85\n2,18.42,-33.85\n3,18.42,-33.85\n",
+            "t,lon,lat,event,remark\n0,18.42,-33.85\n1,18.42,-33.85\n2,18.42,-33.85\n",
+            "t,lon,lat,Attribute|Value,ConvertDatV3,3.6.1\n0,18.42,-33.85\n1,18.42,-33.85\n2,18.42,-33.85\n",
+            "t,lon,lat,,\n0,18.42,-33.85,,\n1,18.42,-33.85\n2,18.42,-33.85\n3,18.42,-33.85\n4,18.42,-33.85\n",
+        ] {
+            let found = shape(text);
+            let said = (found.skipped_lines, found.has_header, found.has_units);
+            assert_eq!(said, (0, true, false), "{text}");
+        }
+        let text = "t,lon,lat,event,remark\n[s],[deg],[deg],[],[]\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n";
+        let found = shape(text);
+        assert_eq!((found.has_header, found.has_units), (true, true));
+        // Words before rows without names are talk.
+        for text in [
+            "Log of the flight on Friday\n0 1 2\n1 2 3\n2 3 4\n",
+            "# made by hand, on Friday, in the rain, by me, again\n0,1,2\n1,2,3\n2,3,4\n",
+        ] {
+            assert!(!shape(text).has_header, "{text}");
         }
     }
 

@@ -10,6 +10,8 @@ mod body_velocity;
 mod build;
 #[cfg(test)]
 mod conventions;
+#[cfg(test)]
+mod export_tests;
 mod flights;
 mod gimbal;
 mod groups;

@@ -1,0 +1,97 @@
+//! Tables as programs export them: rows of several lengths, axes of simulators, heights of several zeros, clocks of a processor.
+
+use pilotage_flight::{ChannelName, Flight};
+
+use super::ColumnRole::{Channel, Course, SpeedOverGround, Time};
+use super::tests::{files, guessed, is};
+use super::{ColumnMap, flight_of_tables, guess_table};
+
+/// A moment of a flight round a point at 33.85° S 18.42° E: 10 m/s on 200 m, five rows a second, climbing by half a metre a
+/// second from 120 m.
+struct Moment {
+    time: f64,
+    latitude: f64,
+    longitude: f64,
+    north: f64,
+    east: f64,
+    up: f64,
+    /// Degrees.
+    course: f64,
+}
+
+fn moments() -> impl Iterator<Item = Moment> {
+    (0..600).map(|row| {
+        let time = 0.2 * f64::from(row);
+        let angle = time / 20.0;
+        let (north, east) = (10.0 * angle.cos(), -10.0 * angle.sin());
+        Moment {
+            time,
+            latitude: -33.85 + 200.0 * angle.sin() / 110_914.0,
+            longitude: 18.42 + 200.0 * angle.cos() / 92_517.0,
+            north,
+            east,
+            up: 0.5 * time,
+            course: east.atan2(north).to_degrees().rem_euclid(360.0),
+        }
+    })
+}
+
+fn table(head: &str, row: impl Fn(usize, &Moment) -> String) -> String {
+    let rows = moments().enumerate().map(|(at, it)| row(at, &it) + "\n");
+    format!("{head}\n{}", rows.collect::<String>())
+}
+
+fn read(text: &str) -> (ColumnMap, Flight) {
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let files = files(&[("a.csv", text)]);
+    let flight = flight_of_tables(&files, std::slice::from_ref(&map));
+    (map, flight.unwrap().flight)
+}
+
+/// Whether all rows are there and lie where they were, within a centimetre or what the reading's own sphere differs by.
+fn assert_places(flight: &Flight, text: &str) {
+    let head = text.lines().next();
+    let origin = flight.frame_on_globe.unwrap().origin;
+    let first = moments().next().unwrap();
+    let off = (origin.latitude.to_degrees() - first.latitude).abs();
+    assert!(off < 1e-6, "{off} {head:?}");
+    let off = (origin.longitude.to_degrees() - first.longitude).abs();
+    assert!(off < 1e-6, "{off} {head:?}");
+    let north = flight.channel(ChannelName::GpsNorth).unwrap();
+    assert_eq!(north.values.len(), 600, "{head:?}");
+    let span = north.times[599] - north.times[0];
+    assert!((span - 119.8).abs() < 1e-6, "{span} {head:?}");
+    for (value, it) in north.values.iter().zip(moments()) {
+        assert!((value - 200.0 * (it.time / 20.0).sin()).abs() < 0.1);
+    }
+}
+
+#[test]
+fn names_of_columns_stand_whatever_the_length_of_the_first_rows() {
+    let heads = [
+        "time,lon,lat,alt,yaw,p,q,event",
+        "time,lon,lat,alt,yaw,p,q,event,remark",
+        "time,lon,lat,alt,yaw,p,q,Attribute|Value,ConvertDatV3,3.6.1",
+    ];
+    for head in heads {
+        for events in [vec![], vec![0], vec![0, 1, 7, 300]] {
+            let text = table(head, |at, it| {
+                let event = if events.contains(&at) {
+                    ",take-off"
+                } else {
+                    ""
+                };
+                format!(
+                    "{:.1},{:.8},{:.8},{:.2},{:.1},0,0{event}",
+                    it.time,
+                    it.longitude,
+                    it.latitude,
+                    120.0 + it.up,
+                    it.course
+                )
+            });
+            let (_, flight) = read(&text);
+            assert_places(&flight, &text);
+        }
+    }
+}
