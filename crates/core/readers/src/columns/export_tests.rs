@@ -95,3 +95,47 @@ fn names_of_columns_stand_whatever_the_length_of_the_first_rows() {
         }
     }
 }
+
+#[test]
+fn velocities_of_a_simulator_are_along_east_up_and_south() {
+    let head = "   _real,_time |   __lat,__deg |   __lon,__deg |   __alt,ftmsl |   __alt,ftagl |   ___vX,__m/s |   ___vY,__m/s |   ___vZ,__m/s | ";
+    let text = table(head, |_, it| {
+        format!(
+            " {:.5} | {:.8} | {:.8} | {:.5} | {:.5} | {:.5} | {:.5} | {:.5} | ",
+            it.time,
+            it.latitude,
+            it.longitude,
+            (120.0 + it.up) / 0.3048,
+            it.up / 0.3048,
+            it.east,
+            0.5,
+            -it.north
+        )
+    });
+    let (map, flight) = read(&text);
+    assert_places(&flight, &text);
+    for (name, value) in [
+        (
+            ChannelName::GpsVelocityNorth,
+            moments().map(|it| it.north).collect::<Vec<_>>(),
+        ),
+        (
+            ChannelName::GpsVelocityEast,
+            moments().map(|it| it.east).collect(),
+        ),
+        (ChannelName::GpsVelocityDown, vec![-0.5; 600]),
+        (
+            ChannelName::GpsHeight,
+            moments().map(|it| 120.0 + it.up).collect(),
+        ),
+        (
+            ChannelName::HeightAboveGround,
+            moments().map(|it| it.up).collect(),
+        ),
+    ] {
+        let found = &flight.channel(name).unwrap().values;
+        let off = found.iter().zip(value).map(|(a, b)| (a - b).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-3, "{name:?}");
+    }
+    assert!(!map.findings.join(";").contains("different zeros"));
+}

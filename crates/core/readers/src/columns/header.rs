@@ -40,6 +40,7 @@ pub(super) fn parts(name: &str, unit: &str) -> NameParts {
         words: words(&plain),
         unit: without_datum(&bare).to_owned(),
     };
+    parts.take_datum_of_unit();
     parts.name_velocity();
     parts
 }
@@ -99,6 +100,34 @@ fn words(name: &str) -> Vec<String> {
 }
 
 impl NameParts {
+    /// Puts what a unit says that heights count from among the words of the name: `__alt,ftagl` of X-Plane is `alt`, `agl` in
+    /// feet.
+    fn take_datum_of_unit(&mut self) {
+        let parted = |text: &str| {
+            let datum = ["msl", "agl"].into_iter().find(|end| text.ends_with(end))?;
+            let unit = text.strip_suffix(datum)?.trim_end();
+            matches!(unit, "ft" | "m" | "feet").then(|| (unit.to_owned(), datum.to_owned()))
+        };
+        let found = parted(&self.unit).map(|(unit, datum)| {
+            self.unit = unit;
+            datum
+        });
+        let at_end = self.words.last().and_then(|last| parted(last));
+        let found = found.or_else(|| {
+            let (unit, datum) = at_end?;
+            self.words.pop();
+            self.unit = if self.unit.is_empty() {
+                unit
+            } else {
+                std::mem::take(&mut self.unit)
+            };
+            Some(datum)
+        });
+        if let Some(datum) = found.filter(|datum| !self.words.contains(datum)) {
+            self.words.push(datum);
+        }
+    }
+
     /// Calls a velocity so whose name has its unit before its direction: `gps_kph_east`.
     fn name_velocity(&mut self) {
         let [.., unit, direction] = self.words.as_mut_slice() else {

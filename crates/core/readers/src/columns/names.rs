@@ -74,7 +74,7 @@ const RULES: &[Rule] = &[
     rule(
         Course,
         0.9,
-        "course|cog|ground course|course over ground|gcrs|crs|track|trk|ground track|gps course|gps track|track angle|head mot",
+        "course|cog|ground course|course over ground|gcrs|crs|track|trk|ground track|gps course|gps track|track angle|head mot|hpath",
     ),
     rule(Course, 0.95, "track by variation"),
     rule(Course, 0.6, "direction|location orientation"),

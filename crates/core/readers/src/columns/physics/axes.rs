@@ -16,11 +16,13 @@ const fn axes(name: &'static str, order: [usize; 3], sign: [f64; 3]) -> AxisOrde
     AxisOrder { name, order, sign }
 }
 
-/// Axes over ground, the likeliest first.
-pub(super) const EARTH: [AxisOrder; 3] = [
+/// Axes over ground, the likeliest first; the last two are those of simulators and games, whose second is up.
+pub(super) const EARTH: [AxisOrder; 5] = [
     axes("north, east, down", [0, 1, 2], [1.0, 1.0, 1.0]),
     axes("east, north, up", [1, 0, 2], [1.0, 1.0, -1.0]),
     axes("north, west, up", [0, 1, 2], [1.0, -1.0, -1.0]),
+    axes("east, up, south", [2, 0, 1], [-1.0, 1.0, -1.0]),
+    axes("east, up, north", [2, 0, 1], [1.0, 1.0, -1.0]),
 ];
 
 /// Axes of the body, the likeliest first.
@@ -86,7 +88,7 @@ fn energy(values: &[f64]) -> f64 {
 }
 
 /// Agreement of all `candidates` with the reference, the best first; of equals the likelier. Axes along which the
-/// reference is NaN or hardly anything tell nothing.
+/// reference is NaN or hardly anything tell nothing; candidates that need a column which is not there are left out.
 pub(super) fn fits(
     candidates: &[AxisOrder],
     reference: &[Vec<f64>; 3],
@@ -101,6 +103,9 @@ pub(super) fn fits(
                 continue;
             }
             let values = &values[axes.order[axis]];
+            if values.iter().all(|value| value.is_nan()) {
+                return None;
+            }
             let Some((correlation, factor, _)) = compare(&reference[axis], values) else {
                 continue;
             };
