@@ -139,3 +139,29 @@ fn velocities_of_a_simulator_are_along_east_up_and_south() {
     }
     assert!(!map.findings.join(";").contains("different zeros"));
 }
+
+#[test]
+fn the_clock_of_a_flight_recorder_is_its_seconds_and_not_its_ticks() {
+    let head = "Clock:Tick#,Clock:offsetTime,GPS:dateTimeStamp,IMU_ATTI(0):Longitude,IMU_ATTI(0):Latitude,IMU_ATTI(0):yaw360";
+    for has_date in [false, true] {
+        let text = table(head, |at, it| {
+            let second = at / 5;
+            let date = format!("2024-05-13T09:{:02}:{:02}Z", second / 60, second % 60);
+            let is_told = has_date && at % 3 == 0;
+            format!(
+                "{},{:.3},{},{:.8},{:.8},{:.1}",
+                900_000 * at,
+                it.time,
+                if is_told { date.as_str() } else { "" },
+                it.longitude,
+                it.latitude,
+                it.course
+            )
+        });
+        let (map, flight) = read(&text);
+        assert_eq!(guessed(&map, "Clock:offsetTime"), is(Time, "s"));
+        let heading = Channel(ChannelName::Heading);
+        assert_eq!(guessed(&map, "IMU_ATTI(0):yaw360").0, heading);
+        assert_places(&flight, &text);
+    }
+}

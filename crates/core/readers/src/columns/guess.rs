@@ -210,6 +210,9 @@ pub(super) fn times(samples: &[ColumnSample], share: f64) -> Vec<TimeGuess> {
             unit,
             confidence: by_name * confidence,
             reason,
+        // Ticks of a processor count in a unit of its own.
+        let are_ticks = parts.words.iter().any(|w| w == "tick" || w == "ticks");
+        let by_name = by_name * if are_ticks { 0.3 } else { 1.0 };
         })
     };
     samples.iter().enumerate().filter_map(candidate).collect()

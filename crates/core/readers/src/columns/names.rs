@@ -49,6 +49,8 @@ const RULES: &[Rule] = &[
         0.8,
         "tow|gps tow|itow|gps itow|time of week|time of day|tod|utc|clock|seconds|secs|sec|millis|milliseconds|micros|s|ms|us|flight time|boot time|time boot|date",
     ),
+    // `Clock:offsetTime` of DatCon: seconds since the start, beside ticks of 4.5 MHz.
+    rule(Time, 0.95, OFFSET_TIME),
     rule(
         Latitude,
         0.98,
@@ -91,7 +93,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::Heading),
         0.95,
-        "heading|yaw|hdg|true heading|psi|yaw angle|heading angle|bearing|hding true",
+        "heading|yaw|hdg|true heading|psi|yaw angle|heading angle|bearing|hding true|yaw360",
     ),
     rule(
         Channel(ChannelName::Heading),
@@ -251,6 +253,9 @@ const RULES: &[Rule] = &[
     ),
 ];
 
+/// Names of a time that counts from the start of a log.
+const OFFSET_TIME: &str = "offset time|clock offset time";
+
 /// Words with which a column is about something else than what was measured.
 const OTHERWISE: [&str; 44] = [
     "geocentric",
@@ -340,7 +345,8 @@ pub(super) fn is_otherwise(words: &[String]) -> bool {
 /// Everything that a name of these words may mean, the likeliest first.
 pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
     let is_of_camera = |word: &String| ["gimbal", "camera", "mount"].contains(&word.as_str());
-    let doubt = if is_otherwise(words) {
+    let is_from_start = OFFSET_TIME.split('|').any(|name| name == words.join(" "));
+    let doubt = if is_otherwise(words) && !is_from_start {
         0.3
     } else if words.iter().any(is_of_camera) {
         0.75
