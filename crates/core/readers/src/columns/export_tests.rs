@@ -165,3 +165,31 @@ fn the_clock_of_a_flight_recorder_is_its_seconds_and_not_its_ticks() {
         assert_places(&flight, &text);
     }
 }
+
+#[test]
+fn places_of_vbox_are_minutes_of_which_west_is_positive() {
+    let head = "File created on 13/05/2024 @ 09:30:15\n\n[header]\nsatellites\ntime\nlatitude\nlongitude\nvelocity {unit}\nheading\nheight\n\n[comments]\nLog rate (Hz) : 5\n\n[column names]\nsats time lat long velocity heading height\n\n[data]";
+    for (unit, metres_per_second) in [("kmh", 1.0 / 3.6), ("knots", 1852.0 / 3600.0)] {
+        let text = table(&head.replace("{unit}", unit), |_, it| {
+            format!(
+                "011 {:02.0}{:02.0}{:05.2} {:+014.8} {:+014.8} {:06.2} {:06.2} {:+08.2}",
+                9.0,
+                (it.time / 60.0).floor(),
+                it.time % 60.0,
+                60.0 * it.latitude,
+                -60.0 * it.longitude,
+                10.0 / metres_per_second,
+                it.course,
+                120.0 + it.up
+            )
+        });
+        let (map, flight) = read(&text);
+        assert_places(&flight, &text);
+        assert_eq!(guessed(&map, "course [deg]").0, Course);
+        let speed = map.column(SpeedOverGround).unwrap();
+        let unit = if unit == "kmh" { "km/h" } else { "kt" };
+        assert_eq!(speed.unit, unit);
+        let height = flight.channel(ChannelName::GpsHeight).unwrap().values[0];
+        assert!((height - 120.0).abs() < 0.01, "{height}");
+    }
+}

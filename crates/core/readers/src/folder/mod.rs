@@ -28,6 +28,7 @@ mod told_clocks;
 mod utc;
 mod utm_places;
 mod variation;
+mod vbo;
 mod write;
 
 pub(super) use clock::TimeFormat;

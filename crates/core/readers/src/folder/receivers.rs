@@ -15,6 +15,7 @@ use super::table_text::{
 use super::told_clocks::with_told_clocks;
 use super::utm_places::with_places_of_utm;
 use super::variation::with_true_directions;
+use super::vbo::of_vbo;
 
 /// Names of RTKLIB over degrees, minutes and seconds in three cells, and names for each of them.
 const THREE_CELLS: [(&str, [&str; 3]); 2] = [
@@ -39,6 +40,9 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     };
     if text.starts_with(b"$FLYS,") {
         return Cow::Owned(of_flysight(&String::from_utf8_lossy(&text)).into_bytes());
+    }
+    if let Some(rows) = of_vbo(&text) {
+        return Cow::Owned(rows.into_bytes());
     }
     if let Some(records) = of_fit_rows(&text) {
         return Cow::Owned(records.into_bytes());
