@@ -193,3 +193,39 @@ fn places_of_vbox_are_minutes_of_which_west_is_positive() {
         assert!((height - 120.0).abs() < 0.01, "{height}");
     }
 }
+
+#[test]
+fn a_height_above_sea_level_goes_before_one_that_does_not_say_its_zero() {
+    for (unit, metres) in [("feet", 0.3048), ("m", 1.0)] {
+        for is_last in [false, true] {
+            let (bare, level) = ("altitude", "altitude_above_seaLevel");
+            let names = if is_last {
+                [level, bare]
+            } else {
+                [bare, level]
+            };
+            let [first, second] = names.map(|name| format!("{name}({unit})"));
+            let head = format!(
+                "time(millisecond),latitude,longitude,height_above_takeoff({unit}),{first},compass_heading(degrees),{second}"
+            );
+            let text = table(&head, |_, it| {
+                let (up, height) = (it.up / metres, (120.0 + it.up) / metres);
+                let [first, second] = if is_last { [height, up] } else { [up, height] };
+                format!(
+                    "{:.0},{:.8},{:.8},{up:.3},{first:.3},{:.1},{second:.3}",
+                    1000.0 * it.time,
+                    it.latitude,
+                    it.longitude,
+                    it.course
+                )
+            });
+            let (_, flight) = read(&text);
+            let start = |name| flight.channel(name).unwrap().values[0];
+            assert!(
+                (start(ChannelName::GpsHeight) - 120.0).abs() < 0.01,
+                "{head}"
+            );
+            assert!(start(ChannelName::HeightAboveGround).abs() < 0.01, "{head}");
+        }
+    }
+}

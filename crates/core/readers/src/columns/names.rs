@@ -138,7 +138,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.9,
-        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl|g alt|galt|geoaltitude|geo altitude|alt geom|geometric altitude|h sl",
+        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl|g alt|galt|geoaltitude|geo altitude|alt geom|geometric altitude|h sl|altitude above sea level|height above sea level|elevation above sea level|altitude above mean sea level|height above mean sea level|altitude asl|alt asl|height asl|asl",
     ),
     rule(
         Channel(ChannelName::GpsHeight),
