@@ -229,3 +229,40 @@ fn a_height_above_sea_level_goes_before_one_that_does_not_say_its_zero() {
         }
     }
 }
+
+#[test]
+fn heights_of_litchi_count_from_the_start_in_whatever_unit() {
+    let speed = "velocityX(mph),velocityY(mph),velocityZ(mph)";
+    for heights in [
+        &[("feet", 0.3048)][..],
+        &[("m", 1.0)],
+        &[("feet", 0.3048), ("m", 1.0)],
+    ] {
+        let names = heights.iter().map(|(unit, _)| format!("altitude({unit})"));
+        let names = names.collect::<Vec<_>>().join(",");
+        let head = format!(
+            "latitude,longitude,{names},time(millisecond),home_latitude,home_longitude,{speed},yaw(deg),isflying"
+        );
+        let text = table(&head, |_, it| {
+            let heights = heights
+                .iter()
+                .map(|(_, metres)| format!("{:.2}", it.up / metres));
+            format!(
+                "{:.8},{:.8},{},{:.0},-33.85,18.42,{:.2},{:.2},{:.2},{:.1},1",
+                it.latitude,
+                it.longitude,
+                heights.collect::<Vec<_>>().join(","),
+                1000.0 * it.time,
+                it.north / 0.44704,
+                it.east / 0.44704,
+                -0.5 / 0.44704,
+                it.course
+            )
+        });
+        let (_, flight) = read(&text);
+        assert!(flight.channel(ChannelName::GpsHeight).is_none(), "{names}");
+        let above = flight.channel(ChannelName::HeightAboveGround);
+        let last = *above.unwrap().values.last().unwrap();
+        assert!((last - 59.9).abs() < 0.02, "{names} {last}");
+    }
+}

@@ -59,7 +59,13 @@ const TURNED: [&str; 6] = [
     "stateEstimate.yaw",
 ];
 
-const MAKERS: [Maker; 20] = [
+/// Heights of Litchi, in whichever unit.
+const OF_LITCHI: &[(&str, ColumnRole)] = &[
+    ("altitude(m)", ABOVE_START),
+    ("altitude(feet)", ABOVE_START),
+];
+
+const MAKERS: [Maker; 21] = [
     // Receivers of Advanced Navigation.
     Maker {
         has: &["Unix Time", "Microseconds", "Height"],
@@ -189,7 +195,12 @@ const MAKERS: [Maker; 20] = [
     Maker {
         has: &["isflying", "velocityX(mps)"],
         units: &[],
-        roles: &[("altitude(m)", ABOVE_START)],
+        roles: OF_LITCHI,
+    },
+    Maker {
+        has: &["isflying", "home_latitude"],
+        units: &[],
+        roles: OF_LITCHI,
     },
     // Flights of Parrot's FreeFlight.
     Maker {
