@@ -4,6 +4,8 @@ use super::super::{Log, Topic, TopicName};
 
 /// `MAV_AUTOPILOT` of `ArduPilot`.
 const ARDUPILOT: f64 = 3.0;
+/// Message that has the same airspeed, of links by satellite.
+const BY_SATELLITE: &str = "HIGH_LATENCY2";
 /// Speed over ground from which on a row tells the two apart, m/s.
 const MOVING: f64 = 1.0;
 /// Difference of two numbers that are the same one, m/s: a receiver's is rounded to 0.01.
@@ -16,29 +18,32 @@ const FEWEST: usize = 20;
 /// `GCS_MAVLINK::vfr_hud_airspeed` of `ArduPilot` returns it without a healthy sensor. Of vehicles with `AIRSPEED` messages,
 /// which come of a sensor, nothing is marked.
 pub(super) fn mark_ground_speed(log: &mut Log) {
-    let huds = log.topics.iter().filter(|t| t.name.name == "VFR_HUD");
+    let huds = log.topics.iter().filter(|t| {
+        // The message by satellite has its airspeed from the same function.
+        t.name.name == "VFR_HUD" || t.name.name == BY_SATELLITE
+    });
     let marked: Vec<TopicName> = huds
         .filter(|hud| is_ground_speed(log, hud))
         .map(|hud| hud.name.clone())
         .collect();
-    for topic in marked {
+    for topic in &marked {
         log.report.remark(format!(
             "{topic}.airspeed is the receiver's ground speed, which ArduPilot sends where no airspeed sensor works: it is no \
              airspeed"
         ));
-        // The message by satellite has its airspeed from the same function.
         let by_satellite = TopicName {
-            name: "HIGH_LATENCY2".to_owned(),
+            name: BY_SATELLITE.to_owned(),
             ..topic.clone()
         };
-        for topic in [topic, by_satellite] {
+        let others = Some(by_satellite).filter(|other| !marked.contains(other));
+        for topic in others.into_iter().chain([topic.clone()]) {
             log.not_measured.push((topic, "airspeed".to_owned()));
         }
     }
 }
 
 /// Whether the airspeeds of a topic are the ground speeds that the receiver of the same vehicle has before or behind them, or
-/// between both.
+/// between both; where the log has no messages of the receiver, those of the same messages.
 fn is_ground_speed(log: &Log, hud: &Topic) -> bool {
     let beside = |name: &str| {
         log.topic(&TopicName {
@@ -51,18 +56,28 @@ fn is_ground_speed(log: &Log, hud: &Topic) -> bool {
     if !is_ardupilot || beside("AIRSPEED").is_some_and(|topic| !topic.is_empty()) {
         return false;
     }
-    let receiver = beside("GPS_RAW_INT").and_then(|gps| Some((&gps.times, gps.values("vel")?)));
-    let (Some((times, speeds)), Some(airspeeds)) = (receiver, hud.values("airspeed")) else {
+    let (Some(airspeeds), Some(own)) = (hud.values("airspeed"), hud.values("groundspeed")) else {
         return false;
     };
+    let receiver = beside("GPS_RAW_INT").filter(|gps| !gps.is_empty());
+    let receiver = receiver.and_then(|gps| Some((&gps.times, gps.values("vel")?)));
+    if receiver.is_some() && hud.name.name == BY_SATELLITE {
+        // Its fifths of m/s are too coarse for that; `VFR_HUD` tells.
+        return false;
+    }
     let (mut moving, mut same) = (0_usize, 0_usize);
-    for (time, airspeed) in hud.times.iter().zip(airspeeds) {
-        let after = times.partition_point(|t| t <= time);
-        let Some(before) = after.checked_sub(1).and_then(|at| speeds.get(at)) else {
-            continue;
+    for ((time, airspeed), own) in hud.times.iter().zip(airspeeds).zip(own) {
+        let (least, most) = match &receiver {
+            Some((times, speeds)) => {
+                let after = times.partition_point(|t| t <= time);
+                let Some(before) = after.checked_sub(1).and_then(|at| speeds.get(at)) else {
+                    continue;
+                };
+                let next = speeds.get(after).unwrap_or(before);
+                (before.min(*next), before.max(*next))
+            }
+            None => (own, own),
         };
-        let next = speeds.get(after).unwrap_or(before);
-        let (least, most) = (before.min(*next), before.max(*next));
         if least > MOVING {
             moving += 1;
             same += usize::from((least - SAME..=most + SAME).contains(&airspeed));
