@@ -151,11 +151,36 @@ pub(crate) const TIMES: [(&str, &[&str]); 4] = [
     ),
 ];
 
+/// The name of a unit per time whose parts are written in words or powers: `degrees/sec`, `m/sec^2`, `deg.s-1`.
+pub(crate) fn per_time(text: &str) -> Option<&'static str> {
+    let parted = text.split_once('/').map(|(base, time)| (base, time, false));
+    let (base, time, is_power) = parted.or_else(|| {
+        let at = text.find(['.', '·', ' '])?;
+        let behind = at + text[at..].chars().next()?.len_utf8();
+        Some((&text[..at], &text[behind..], true))
+    })?;
+    let base = find_in(&SPELLINGS, base.trim()).filter(|name| !name.contains('/'))?;
+    let time = time.trim();
+    let end = time
+        .find(|c: char| !c.is_alphabetic())
+        .unwrap_or(time.len());
+    let (time, power) = time.split_at(end);
+    let time = find_in(&TIMES, time).or_else(|| find_in(&LONG_TIMES, time))?;
+    let square = match (power, is_power) {
+        ("", false) | ("-1" | "^-1" | "⁻¹", true) => "",
+        ("2" | "^2" | "²" | "**2", false) | ("-2" | "^-2" | "⁻²", true) => "2",
+        _ => return None,
+    };
+    let name = format!("{base}/{time}{square}");
+    find_in(&SPELLINGS, &name)
+}
+
 /// Whether a text is a unit of anything, in any spelling.
 pub(crate) fn is_unit(text: &str) -> bool {
     let text = text.trim().to_lowercase();
     find_in(&SPELLINGS, &text)
         .or_else(|| find_in(&TIMES, &text))
+        .or_else(|| per_time(&text))
         .is_some()
 }
 
@@ -181,5 +206,44 @@ pub(crate) fn unit_in(text: &str, dimension: Dimension) -> Option<&'static str> 
         *name == text || others.contains(&text.as_str())
     };
     let mut found = known.filter(is_it).map(|(name, _)| *name);
-    found.next().filter(|_| !text.is_empty())
+    let found = found.next().filter(|_| !text.is_empty());
+    found.or_else(|| per_time(&text).filter(|name| of_dimension(name)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_per_time_are_known_in_words_and_powers() {
+        for text in [
+            "degrees/s",
+            "degrees/sec",
+            "°/sec",
+            "degree/second",
+            "deg.s-1",
+            "Degrees / Second",
+            "deg s-1",
+        ] {
+            assert_eq!(
+                unit_in(text, Dimension::AngularRate),
+                Some("deg/s"),
+                "{text}"
+            );
+        }
+        for text in ["meters/s", "m.s-1", "metres/sec", "meters/Sec", "m·s⁻¹"] {
+            assert_eq!(unit_in(text, Dimension::Speed), Some("m/s"), "{text}");
+        }
+        for text in ["meters/sec2", "m/sec2", "m/sec^2", "m.s-2", "m/second²"] {
+            assert_eq!(
+                unit_in(text, Dimension::Acceleration),
+                Some("m/s2"),
+                "{text}"
+            );
+        }
+        assert_eq!(unit_in("kilometers/hour", Dimension::Speed), Some("km/h"));
+        for text in ["deg", "m/m", "/s", "m/", "m.5", "degrees/s3", ""] {
+            assert_eq!(unit_in(text, Dimension::AngularRate), None, "{text}");
+        }
+    }
 }

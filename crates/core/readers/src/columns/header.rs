@@ -1,7 +1,7 @@
 //! Names of columns taken apart: words and unit.
 
 use crate::cells::Dimension;
-use crate::cells::spellings::{LONG_TIMES, SPELLINGS, TIMES, find_in, is_unit, unit_in};
+use crate::cells::spellings::{LONG_TIMES, SPELLINGS, TIMES, find_in, is_unit, per_time, unit_in};
 
 /// A name taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -229,7 +229,8 @@ impl NameParts {
             let of_any = SPELLINGS.iter().chain(&TIMES).find(|(name, others)| {
                 *name == text && name.len() > 1 || others.contains(&text) && text.len() > 1
             });
-            of_any.map(|(name, _)| *name).or(match text {
+            let of_any = of_any.map(|(name, _)| *name).or_else(|| per_time(text));
+            of_any.or(match text {
                 "m" => Some("m"),
                 _ => None,
             })
