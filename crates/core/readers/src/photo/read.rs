@@ -331,7 +331,7 @@ fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
     };
     let (latitude, longitude) = of_exif.filter(is_place).or_else(|| place_of_xmp(xmp))?;
     let is_on_globe = is_place(&(latitude, longitude));
-    let below = gps.whole(exif::ALTITUDE_REF) == Some(1);
+    let below = matches!(gps.whole(exif::ALTITUDE_REF), Some(1 | 3));
     let altitude = gps.real(exif::ALTITUDE).map(|a| if below { -a } else { a });
     let altitude = altitude.or_else(|| altitude_of_xmp(xmp));
     is_on_globe.then_some(PhotoPlace {
@@ -375,6 +375,17 @@ fn is_near_wgs_84(datum: &str) -> bool {
 /// Doubts about the place of a photo, in words.
 fn doubts(gps: &ExifDirectory, xmp: &Xmp) -> Vec<String> {
     let mut doubts = Vec::new();
+    // EXIF 3.0 has 2 and 3 for heights above and below the ellipsoid; DJI says it of receivers with corrections.
+    let is_of_ellipsoid = matches!(gps.whole(exif::ALTITUDE_REF), Some(2 | 3))
+        || xmp
+            .text("drone-dji:AltitudeType")
+            .is_some_and(|it| it == "RtkAlt");
+    if is_of_ellipsoid {
+        doubts.push(
+            "the height is above the ellipsoid of WGS 84, which lies up to 107 m from sea level"
+                .to_owned(),
+        );
+    }
     let has_own = place(gps, &Xmp::default()).is_some();
     let Some(of_exif) = place(gps, xmp).filter(|_| has_own) else {
         return doubts;

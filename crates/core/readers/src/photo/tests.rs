@@ -246,6 +246,13 @@ fn what_is_not_sure_of_a_place_is_told_with_the_photos_that_say_so() {
         let xmp = format!("drone-dji:GpsLatitude=\"-{south}\" drone-dji:GpsLongitude=\"-60.5\"");
         doubts(&photo("30", "25", 10, &xmp))
     };
+    let rtk = doubts(&photo("30", "25", 10, "drone-dji:AltitudeType=\"RtkAlt\""));
+    assert!(rtk[0].contains("above the ellipsoid"), "{rtk:?}");
+    let mut third = sound.clone();
+    // A byte in the place of the letter: above the ellipsoid.
+    (third[at], third[at + 2]) = (exif::ALTITUDE_REF as u8, 1);
+    (third[at + 4], third[at + 8]) = (1, 2);
+    assert!(doubts(&third)[0].contains("above the ellipsoid"));
     assert!(of_xmp(30.1)[0].contains("EXIF and XMP"));
     assert!(of_xmp(30.003).is_empty());
     let files = files(&[

@@ -14,7 +14,7 @@ use super::record::{
 use super::search::{followed, next_sure};
 use super::stamps::count_by_stamps;
 use crate::log::stepping::{LogStep, LogSteps};
-use crate::log::{Fact, Log};
+use crate::log::{Fact, Log, Topic};
 
 const TOO_EARLY: &str = "the file ends too early";
 
@@ -75,6 +75,7 @@ impl LogSteps for Mcap {
         self.contents.end(log);
         log.topics.iter_mut().for_each(put_in_order);
         count_by_stamps(log);
+        tell_ellipsoid(log);
         log.tell_sets_by_name();
         log.tell_camera_imu();
         log.modes.sort_by(|a, b| a.time.total_cmp(&b.time));
@@ -337,3 +338,33 @@ fn compare(said: u32, found: u32, what: &str, log: &mut Log) {
         ));
     }
 }
+/// Messages whose `altitude` is above the ellipsoid by their definition.
+const ABOVE_ELLIPSOID: [&str; 3] = [
+    "sensor_msgs/NavSatFix",
+    "foxglove/LocationFix",
+    "geographic_msgs/GeoPoseStamped",
+];
+
+/// Says of the first topic with heights above the ellipsoid that they are such.
+fn tell_ellipsoid(log: &mut Log) {
+    let height = |topic: &Topic| {
+        let mut names = ["altitude", "pose.position.altitude"].into_iter();
+        let is_told = |name: &&str| {
+            let values = topic.values(name).unwrap_or_default();
+            values.iter().any(|it| it.is_finite() && *it != 0.0)
+        };
+        let name = names.find(is_told)?;
+        Some(format!("{}.{name}", topic.name))
+    };
+    let mut topics = log.topics.iter();
+    let found = topics.find_map(|topic| {
+        let is_such = ABOVE_ELLIPSOID.contains(&topic.kind().as_str());
+        if is_such { height(topic) } else { None }
+    });
+    if let Some(name) = found {
+        log.report.remark(format!(
+            "{name} is above the ellipsoid of WGS 84 by its definition, which lies up to 107 m from sea level"
+        ));
+    }
+}
+
