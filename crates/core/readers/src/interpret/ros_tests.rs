@@ -302,3 +302,74 @@ fn an_imu_upside_down_under_a_world_that_is_up_keeps_the_axes_of_ros() {
         assert_eq!(first(Role::AccelerationDown), 9.8);
     }
 }
+
+#[test]
+fn fixes_of_drivers_are_places() {
+    let place = |row: usize| (47.5 + 1e-4 * row as f64, 8.5, 600.0 + row as f64);
+    for (schema, fields, row) in [
+        (
+            "gps_msgs/msg/GPSFix",
+            &[
+                "status.status",
+                "latitude",
+                "longitude",
+                "altitude",
+                "track",
+                "speed",
+                "climb",
+            ][..],
+            &(|(lat, lon, alt): (f64, f64, f64)| vec![0.0, lat, lon, alt, 30.0, 10.0, 1.0])
+                as &dyn Fn((f64, f64, f64)) -> Vec<f64>,
+        ),
+        (
+            "ublox_msgs/msg/NavPVT",
+            &["fix_type", "lat", "lon", "h_msl", "vel_n", "vel_e", "vel_d"],
+            &|(lat, lon, alt)| {
+                let north = 1e4 * 30_f64.to_radians().cos();
+                vec![3.0, 1e7 * lat, 1e7 * lon, 1e3 * alt, north, 5e3, -1e3]
+            },
+        ),
+        (
+            "mavros_msgs/msg/GPSRAW",
+            &["fix_type", "lat", "lon", "alt"],
+            &|(lat, lon, alt)| vec![3.0, 1e7 * lat, 1e7 * lon, 1e3 * alt],
+        ),
+        (
+            "geographic_msgs/msg/GeoPoseStamped",
+            &[
+                "pose.position.latitude",
+                "pose.position.longitude",
+                "pose.position.altitude",
+            ],
+            &|(lat, lon, alt)| vec![lat, lon, alt],
+        ),
+    ] {
+        let mut log = Log::new("a.mcap", LogFormat::Mcap);
+        let rows = (0..5).map(|at| [vec![at as f64], row(place(at))].concat());
+        with(&mut log, "/gps", schema, fields, &rows.collect::<Vec<_>>());
+        let found: Vec<RoleSeries> = [Role::Latitude, Role::Longitude, Role::GpsHeight]
+            .into_iter()
+            .filter_map(|role| series(&log, role))
+            .collect();
+        let places = places(&found, Navigation::Gps);
+        assert_eq!(places.len(), 5, "{schema}");
+        let (_, last) = places[4];
+        assert!(
+            (last.latitude.to_degrees() - 47.5004).abs() < 1e-9,
+            "{schema}"
+        );
+        assert!((last.longitude.to_degrees() - 8.5).abs() < 1e-9, "{schema}");
+        let height = series(&log, Role::GpsHeight).unwrap().values[4];
+        assert!((height - 604.0).abs() < 1e-9, "{schema}");
+        if fields.len() > 4 {
+            for (role, value) in [
+                (Role::GpsVelocityNorth, 10.0 * 30_f64.to_radians().cos()),
+                (Role::GpsVelocityEast, 5.0),
+                (Role::GpsVelocityDown, -1.0),
+            ] {
+                let found = series(&log, role).unwrap().values[0];
+                assert!((found - value).abs() < 1e-9, "{schema} {role:?} {found}");
+            }
+        }
+    }
+}

@@ -10,6 +10,15 @@ const ODOMETRY: &str = "nav_msgs/Odometry";
 const POSE: &str = "geometry_msgs/PoseStamped";
 const UNSURE_POSE: &str = "geometry_msgs/PoseWithCovarianceStamped";
 const FOXGLOVE_POSE: &str = "foxglove/PoseInFrame";
+/// Fixes of drivers and of `mavros` that tell more than the standard one.
+const GPS_FIX: &str = "gps_msgs/GPSFix";
+const COMMON_FIX: &str = "gps_common/GPSFix";
+const GPS_RAW: &str = "mavros_msgs/GPSRAW";
+const NAV_PVT: &str = "ublox_msgs/NavPVT";
+const GEO_POSE: &str = "geographic_msgs/GeoPoseStamped";
+/// Degrees of 10⁻⁷, and millimetres.
+const E7: f64 = 1e-7 * DEGREE;
+const MILLI: f64 = 1e-3;
 /// Velocities in the world where their topic says that a receiver measured them.
 const GPS_VELOCITY: &str = "geometry_msgs/TwistStamped@gps";
 const UNSURE_GPS_VELOCITY: &str = "geometry_msgs/TwistWithCovarianceStamped@gps";
@@ -118,12 +127,7 @@ const ROS: &[RoleSource] = &[
     field(Role::Latitude, LOCATION, "latitude", DEGREE),
     field(Role::Longitude, LOCATION, "longitude", DEGREE),
     field(Role::GpsHeight, LOCATION, "altitude", 1.0),
-    field(
-        Role::GpsSatellites,
-        "mavros_msgs/GPSRAW",
-        "satellites_visible",
-        1.0,
-    ),
+    field(Role::GpsSatellites, GPS_RAW, "satellites_visible", 1.0),
     field(Role::GpsVelocityNorth, GPS_VELOCITY, "twist.linear.y", 1.0),
     field(Role::GpsVelocityEast, GPS_VELOCITY, "twist.linear.x", 1.0),
     field(Role::GpsVelocityDown, GPS_VELOCITY, "twist.linear.z", -1.0),
@@ -152,4 +156,61 @@ const ROS: &[RoleSource] = &[
     field(Role::AccelerationForward, IMU, "linear_acceleration.x", 1.0),
     field(Role::AccelerationRight, IMU, "linear_acceleration.y", -1.0),
     field(Role::AccelerationDown, IMU, "linear_acceleration.z", -1.0),
+    field(Role::Latitude, GPS_FIX, "latitude", DEGREE),
+    field(Role::Longitude, GPS_FIX, "longitude", DEGREE),
+    field(Role::GpsHeight, GPS_FIX, "altitude", 1.0),
+    of(Role::GpsFix, GPS_FIX, RowReading::RosFix("status.status")),
+    of(
+        Role::GpsVelocityNorth,
+        GPS_FIX,
+        RowReading::Course("speed", 1.0, "track", DEGREE),
+    ),
+    of(
+        Role::GpsVelocityEast,
+        GPS_FIX,
+        RowReading::Course("speed", 1.0, "track", DEGREE),
+    ),
+    field(Role::GpsVelocityDown, GPS_FIX, "climb", -1.0),
+    field(Role::GroundSpeed, GPS_FIX, "speed", 1.0),
+    field(Role::Latitude, COMMON_FIX, "latitude", DEGREE),
+    field(Role::Longitude, COMMON_FIX, "longitude", DEGREE),
+    field(Role::GpsHeight, COMMON_FIX, "altitude", 1.0),
+    of(
+        Role::GpsFix,
+        COMMON_FIX,
+        RowReading::RosFix("status.status"),
+    ),
+    of(
+        Role::GpsVelocityNorth,
+        COMMON_FIX,
+        RowReading::Course("speed", 1.0, "track", DEGREE),
+    ),
+    of(
+        Role::GpsVelocityEast,
+        COMMON_FIX,
+        RowReading::Course("speed", 1.0, "track", DEGREE),
+    ),
+    field(Role::GpsVelocityDown, COMMON_FIX, "climb", -1.0),
+    field(Role::GroundSpeed, COMMON_FIX, "speed", 1.0),
+    field(Role::Latitude, NAV_PVT, "lat", E7),
+    field(Role::Longitude, NAV_PVT, "lon", E7),
+    field(Role::GpsHeight, NAV_PVT, "h_msl", MILLI),
+    field(Role::GpsHeight, NAV_PVT, "hMSL", MILLI),
+    field(Role::GpsFix, NAV_PVT, "fix_type", 1.0),
+    field(Role::GpsFix, NAV_PVT, "fixType", 1.0),
+    field(Role::GpsSatellites, NAV_PVT, "num_sv", 1.0),
+    field(Role::GpsSatellites, NAV_PVT, "numSV", 1.0),
+    field(Role::GpsVelocityNorth, NAV_PVT, "vel_n", MILLI),
+    field(Role::GpsVelocityNorth, NAV_PVT, "velN", MILLI),
+    field(Role::GpsVelocityEast, NAV_PVT, "vel_e", MILLI),
+    field(Role::GpsVelocityEast, NAV_PVT, "velE", MILLI),
+    field(Role::GpsVelocityDown, NAV_PVT, "vel_d", MILLI),
+    field(Role::GpsVelocityDown, NAV_PVT, "velD", MILLI),
+    field(Role::Latitude, GPS_RAW, "lat", E7),
+    field(Role::Longitude, GPS_RAW, "lon", E7),
+    field(Role::GpsHeight, GPS_RAW, "alt", MILLI),
+    field(Role::GpsFix, GPS_RAW, "fix_type", 1.0),
+    field(Role::Latitude, GEO_POSE, "pose.position.latitude", DEGREE),
+    field(Role::Longitude, GEO_POSE, "pose.position.longitude", DEGREE),
+    field(Role::GpsHeight, GEO_POSE, "pose.position.altitude", 1.0),
 ];
