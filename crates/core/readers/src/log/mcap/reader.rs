@@ -254,18 +254,35 @@ impl Mcap {
             offset: (!is_packed).then_some(offset + head.length as u64),
             is_sound,
         };
+        let before = log.report.messages;
         let nonsense = inside.walk(&mut self.contents, log);
         if !is_packed {
             log.report.used_bytes += head.length as u64;
-        } else if let Some(cause) = trouble.filter(|_| is_whole) {
-            log.report.skip(offset, length as u64, cause);
+            return LogStep::Took(length);
+        }
+        // Packed bytes of what was read, by its share of what is packed: at most all that there are.
+        let good = records.len() - nonsense;
+        let share = good as f64 / (head.unpacked as f64).max(1.0);
+        let packed = (head.packed as f64 * share) as usize;
+        let used = (head.length + packed).min(length);
+        let (used, cause) = if let Some(cause) = trouble.filter(|_| is_whole) {
+            (used.min(length - 1), cause)
         } else if !is_whole {
-            log.report.skip(offset, length as u64, TOO_EARLY);
+            let count = log.report.messages - before;
+            log.report.remark(format!(
+                "the file ends within a packed chunk, of which {count} messages were read"
+            ));
+            (if count == 0 { 0 } else { used }, TOO_EARLY)
         } else if nonsense > 0 {
             let cause = "parts of a packed chunk make no sense";
-            log.report.skip(offset, length as u64, cause);
+            (used.min(length - 1), cause)
         } else {
-            log.report.used_bytes += length as u64;
+            (length, "")
+        };
+        log.report.used_bytes += used as u64;
+        if used < length {
+            let lost = (length - used) as u64;
+            log.report.skip(offset + used as u64, lost, cause);
         }
         LogStep::Took(length)
     }
@@ -330,14 +347,6 @@ impl Mcap {
     }
 }
 
-/// Notes a checksum that does not fit; zero says that nobody computed one.
-fn compare(said: u32, found: u32, what: &str, log: &mut Log) {
-    if said != 0 && said != found {
-        log.report.remark(format!(
-            "{what} does not fit: values may be wrong that look right"
-        ));
-    }
-}
 /// Messages whose `altitude` is above the ellipsoid by their definition.
 const ABOVE_ELLIPSOID: [&str; 3] = [
     "sensor_msgs/NavSatFix",
@@ -368,3 +377,11 @@ fn tell_ellipsoid(log: &mut Log) {
     }
 }
 
+/// Notes a checksum that does not fit; zero says that nobody computed one.
+fn compare(said: u32, found: u32, what: &str, log: &mut Log) {
+    if said != 0 && said != found {
+        log.report.remark(format!(
+            "{what} does not fit: values may be wrong that look right"
+        ));
+    }
+}

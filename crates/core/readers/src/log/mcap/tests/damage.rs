@@ -40,8 +40,12 @@ fn a_packed_chunk_that_is_cut_off_gives_what_can_be_unpacked() {
             "{packing:?}: {}",
             rows(&log)
         );
-        assert_eq!(log.report.skipped.len(), 1);
-        assert_eq!(log.report.skipped[0].cause, "the file ends too early");
+        let told = format!("of which {} messages were read", rows(&log));
+        let remarks = &log.report.remarks;
+        assert!(remarks.iter().any(|it| it.ends_with(&told)), "{remarks:?}");
+        // What was read of it is not told as lost.
+        let lost = log.report.skipped_bytes as f64 / log.report.bytes as f64;
+        assert!(lost < 0.5, "{packing:?} {lost}");
     }
 }
 
