@@ -266,3 +266,30 @@ fn heights_of_litchi_count_from_the_start_in_whatever_unit() {
         assert!((last - 59.9).abs() < 0.02, "{names} {last}");
     }
 }
+
+#[test]
+fn a_radio_without_attitude_writes_the_course_of_its_receiver() {
+    let row = |it: &Moment, attitude: &str| {
+        format!(
+            "2024-05-13,09:{:02.0}:{:06.3},{:.2},{:.1},{:.8} {:.8}{attitude}",
+            (it.time / 60.0).floor(),
+            it.time % 60.0,
+            10.0 * 3600.0 / 1852.0,
+            it.course,
+            it.latitude,
+            it.longitude
+        )
+    };
+    let text = table("Date,Time,GSpd(kts),Hdg(@),GPS", |_, it| row(it, ""));
+    let (map, flight) = read(&text);
+    assert_eq!(guessed(&map, "Hdg(@)").0, Course);
+    let north = flight.channel(ChannelName::GpsVelocityNorth).unwrap();
+    assert!((north.values[0] - 10.0).abs() < 0.05);
+    // Flight controllers send the heading of the attitude in its place.
+    let head = "Date,Time,GSpd(kts),Hdg(@),GPS,Ptch(@),Roll(@)";
+    let text = table(head, |at, it| {
+        row(it, &format!(",{}.0,{}.0", at % 3, at % 5))
+    });
+    let heading = Channel(ChannelName::Heading);
+    assert_eq!(guessed(&read(&text).0, "Hdg(@)").0, heading);
+}

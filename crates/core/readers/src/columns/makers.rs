@@ -216,13 +216,22 @@ const MAKERS: [Maker; 21] = [
     },
 ];
 
-/// Radios (`EdgeTX`, `OpenTX`) write the course of the receiver as `Hdg` and the attitude's heading as `Yaw`, beside `Ptch`.
+/// Radios (`EdgeTX`, `OpenTX`) write the course of the receiver as `Hdg` and the attitude's heading as `Yaw`, beside `Ptch`;
+/// without any attitude, of a receiver alone, there is no other heading that `Hdg` beside `GSpd` could be.
 pub(super) fn course_of_radio(names: &[NameParts], guesses: &mut [Vec<NameGuess>]) {
     let is = |parts: &NameParts, word: &str| parts.plain_words() == [word];
-    if !["ptch", "yaw"]
-        .iter()
-        .all(|word| names.iter().any(|parts| is(parts, word)))
-    {
+    let has = |word: &str| names.iter().any(|parts| is(parts, word));
+    let has_speed = || {
+        names
+            .iter()
+            .any(|parts| parts.plain_words() == ["g", "spd"])
+    };
+    let has_attitude = || {
+        ["ptch", "pitch", "roll", "yaw"]
+            .iter()
+            .any(|word| has(word))
+    };
+    if !(has("ptch") && has("yaw") || has_speed() && !has_attitude()) {
         return;
     }
     let found = names
