@@ -293,3 +293,22 @@ fn a_radio_without_attitude_writes_the_course_of_its_receiver() {
     let heading = Channel(ChannelName::Heading);
     assert_eq!(guessed(&read(&text).0, "Hdg(@)").0, heading);
 }
+
+#[test]
+fn a_clock_in_every_row_goes_before_a_date_in_some() {
+    let text = table("elapsed,lat,lon,alt,yaw,utc", |at, it| {
+        let second = at / 5;
+        let date = format!("2024-05-13T09:{:02}:{:02}Z", second / 60, second % 60);
+        format!(
+            "{:.1},{:.8},{:.8},120,{:.1},{}",
+            it.time,
+            it.latitude,
+            it.longitude,
+            it.course,
+            if at % 5 == 0 { date.as_str() } else { "" }
+        )
+    });
+    let (map, flight) = read(&text);
+    assert_eq!(guessed(&map, "elapsed"), is(Time, "s"));
+    assert_places(&flight, &text);
+}

@@ -159,7 +159,10 @@ pub(crate) fn guess_time(samples: &[ColumnSample], share: f64) -> Option<TimeGue
     let rank = |guess: &TimeGuess| {
         let sample = &samples[guess.column];
         let is_fine = sample.grows() || !sample.goes_on();
-        (is_fine, guess.confidence)
+        // Nor does one that stands in some rows only.
+        let known = sample.numbers.len() + sample.texts.len();
+        let is_in_most = known >= sample.empty;
+        (is_fine, is_in_most, guess.confidence)
     };
     candidates.fold(None, |best: Option<TimeGuess>, found| match best {
         Some(best) if rank(&best) >= rank(&found) => Some(best),
