@@ -1,4 +1,4 @@
-//! Sentences of a satellite receiver (NMEA 0183: GGA, RMC, VTG), as a flight.
+//! Sentences of a satellite receiver (NMEA 0183: GGA, RMC, VTG; headings by HDT, attitudes by PASHR), as a flight.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,13 +17,18 @@ const DAY: f64 = 86_400.0;
 const WEEKS_BEGIN_AGAIN: i64 = 2010;
 /// Receivers write two digits of a year; from this one on they are of the century before.
 const CENTURY: i64 = 80;
+/// Moments in which that of an attitude is looked for.
+const LATEST: usize = 20;
 /// Columns behind the time.
-const COLUMNS: [&str; 5] = [
+const COLUMNS: [&str; 8] = [
     "latitude [deg]",
     "longitude [deg]",
     "altitude msl [m]",
     "speed over ground [m/s]",
     "course over ground [deg]",
+    "heading [deg]",
+    "roll [deg]",
+    "pitch [deg]",
 ];
 
 /// Values that the sentences of one moment say.
@@ -34,7 +39,7 @@ struct Epoch {
     /// Days since 1970, where they were told.
     day: Option<i64>,
     /// In the order of [`COLUMNS`].
-    values: [Option<f64>; 5],
+    values: [Option<f64>; COLUMNS.len()],
 }
 
 /// Moments that were read, and the number of sentences that were not used.
@@ -208,6 +213,8 @@ fn sentences(text: &str) -> Sentences {
             "RMC" => found.least(&fields),
             "VTG" => found.velocity(&fields),
             "ZDA" => found.date(&fields),
+            "HDT" | "THS" => found.heading(&fields),
+            "SHR" => found.attitude(&fields),
             _ => {}
         }
     }
@@ -263,11 +270,12 @@ impl Sentences {
         let second = second_of_day(time)?;
         if self.epochs.last().is_none_or(|last| last.second != second) {
             let [course, speed] = std::mem::take(&mut self.next_velocity);
-            self.epochs.push(Epoch {
+            let mut epoch = Epoch {
                 second,
-                values: [None, None, None, speed, course],
                 ..Epoch::default()
-            });
+            };
+            (epoch.values[3], epoch.values[4]) = (speed, course);
+            self.epochs.push(epoch);
         }
         self.epochs.last_mut()
     }
@@ -367,6 +375,42 @@ impl Sentences {
         };
         epoch.values[3] = epoch.values[3].or(speed);
         epoch.values[4] = epoch.values[4].or(course);
+    }
+
+    /// HDT, THS: true heading of the vehicle, in degrees, and a letter; that of THS is V where it is not valid.
+    fn heading(&mut self, fields: &[&str]) {
+        let is_valid = fields.get(2).is_none_or(|letter| *letter != "V");
+        let heading = fields.get(1).and_then(|field| number(field));
+        if let (Some(epoch), true) = (self.epochs.last_mut(), is_valid) {
+            epoch.values[5] = epoch.values[5].or(heading);
+        }
+    }
+
+    /// PASHR: time, true heading, T, roll, pitch, in degrees.
+    fn attitude(&mut self, fields: &[&str]) {
+        let [_, time, heading, "T", roll, pitch, ..] = fields else {
+            return;
+        };
+        let Some(second) = second_of_day(time) else {
+            return;
+        };
+        // It may come a little after the sentences of the next moment.
+        let from = self.epochs.len().saturating_sub(LATEST);
+        let mut latest = self.epochs[from..].iter();
+        let known = latest.rposition(|epoch| epoch.second == second);
+        let is_next = self.epochs.last().is_none_or(|last| {
+            let step = second - last.second;
+            step > 0.0 || step < -0.5 * DAY
+        });
+        let epoch = match known {
+            Some(at) => self.epochs.get_mut(from + at),
+            None if is_next => self.epoch(time),
+            None => None,
+        };
+        let Some(epoch) = epoch else { return };
+        for (at, field) in [(5, heading), (6, roll), (7, pitch)] {
+            epoch.values[at] = number(field).or(epoch.values[at]);
+        }
     }
 }
 

@@ -342,3 +342,41 @@ fn dates_of_a_receiver_whose_weeks_may_have_begun_again_are_told() {
     assert!(is_told("04"));
     assert!(!is_told("24"));
 }
+
+#[test]
+fn headings_and_attitudes_of_receivers_with_two_antennas_are_read() {
+    // Southward with the nose 10° to the west of it, 5° to the right and 3° up.
+    for has_attitude in [false, true] {
+        let line = |line: &str| {
+            let clock = line.split(',').nth(1).unwrap_or("");
+            let told = if has_attitude {
+                sentence(&format!(
+                    "PASHR,{clock},190.00,T,5.00,3.00,0.00,0.1,0.1,0.2,2,1"
+                ))
+            } else {
+                sentence("GNHDT,190.00,T")
+            };
+            let told = if line.contains("RMC") {
+                told
+            } else {
+                String::new()
+            };
+            format!("{line}\r\n{told}")
+        };
+        let text: String = recording().lines().map(line).collect();
+        assert!(is_nmea(text.as_bytes()));
+        let folder = read_nmea("a.nmea", text.as_bytes()).unwrap().unwrap();
+        let angle = |name, degrees: f64| {
+            let channel = folder.flight.channel(name)?;
+            assert_eq!(channel.values.len(), 60);
+            let off = |value: &f64| (value.to_degrees() - degrees).rem_euclid(360.0);
+            let is_it = |value| off(value) < 1e-6 || off(value) > 360.0 - 1e-6;
+            Some(channel.values.iter().all(is_it))
+        };
+        assert_eq!(angle(ChannelName::Heading, 190.0), Some(true));
+        let both = [(ChannelName::Roll, 5.0), (ChannelName::Pitch, 3.0)];
+        for (name, degrees) in both {
+            assert_eq!(angle(name, degrees), has_attitude.then_some(true));
+        }
+    }
+}
