@@ -312,3 +312,14 @@ fn a_clock_in_every_row_goes_before_a_date_in_some() {
     assert_eq!(guessed(&map, "elapsed"), is(Time, "s"));
     assert_places(&flight, &text);
 }
+
+#[test]
+fn a_table_of_photos_without_times_says_that_it_is_one() {
+    let head = "imagename,latitude [decimal degrees],longitude [decimal degrees],altitude [meter]";
+    let text = table(head, |at, it| {
+        format!("DJI_{at:04}.JPG,{:.8},{:.8},150", it.latitude, it.longitude)
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let lacks = map.lacks().unwrap();
+    assert!(lacks.contains("pictures by their names"), "{lacks}");
+}

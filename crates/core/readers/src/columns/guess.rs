@@ -3,8 +3,10 @@
 use super::bodies::of_one_body;
 use super::groups::{ColumnGroup, GroupQuantity, context, groups, quaternion_roles, telling};
 use super::header::{NameParts, parts as parts_of_name};
+use super::map::OF_PICTURES;
 use super::names::{NameGuess, is_otherwise, meanings};
 use super::physics::{self, Hint, TableEvidence, is_of_ros};
+use super::pictures::ENDINGS;
 use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
@@ -208,14 +210,14 @@ pub(super) fn times(samples: &[ColumnSample], share: f64) -> Vec<TimeGuess> {
             0.0 => 0.6,
             named => named,
         };
+        // Ticks of a processor count in a unit of its own.
+        let are_ticks = parts.words.iter().any(|w| w == "tick" || w == "ticks");
+        let by_name = by_name * if are_ticks { 0.3 } else { 1.0 };
         Some(TimeGuess {
             column,
             unit,
             confidence: by_name * confidence,
             reason,
-        // Ticks of a processor count in a unit of its own.
-        let are_ticks = parts.words.iter().any(|w| w == "tick" || w == "ticks");
-        let by_name = by_name * if are_ticks { 0.3 } else { 1.0 };
         })
     };
     samples.iter().enumerate().filter_map(candidate).collect()
@@ -436,7 +438,17 @@ fn column(
     has_degrees: Option<bool>,
 ) -> MappedColumn {
     if !sample.is_numeric() {
-        return unused(&sample.name, "its cells are no numbers");
+        let is_picture = |text: &String| {
+            let name = text.to_lowercase();
+            ENDINGS.iter().any(|ending| name.ends_with(ending))
+        };
+        let are_pictures = !sample.texts.is_empty() && sample.texts.iter().all(is_picture);
+        let reason = if are_pictures {
+            OF_PICTURES
+        } else {
+            "its cells are no numbers"
+        };
+        return unused(&sample.name, reason);
     }
     let is_of_receiver = parts
         .words

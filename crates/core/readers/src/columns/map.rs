@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::TableShape;
 use pilotage_flight::{ChannelName, Quantity};
 
+/// Reason of a column that names pictures.
+pub(super) const OF_PICTURES: &str = "its cells are names of pictures";
+
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -282,6 +285,12 @@ impl ColumnMap {
         }
         let is_rate = |rate: f64| rate.is_finite() && rate > 0.0;
         if !has(ColumnRole::Time) && !self.rows_per_second.is_some_and(is_rate) {
+            if self.columns.iter().any(|c| c.reason == OF_PICTURES) {
+                return Some(
+                    "no column is the time, and its rows are pictures by their names: add the time of each, or open it in Plan or by `pilotage convert`, where its places are landmarks"
+                        .to_owned(),
+                );
+            }
             return Some(
                 "no column is the time; say which, or how many rows a second has".to_owned(),
             );

@@ -15,7 +15,7 @@ use super::header::parts;
 use crate::folder::{ChannelFile, CsvTable, FramesFile};
 
 /// Endings of pictures.
-const ENDINGS: [&str; 3] = [".jpg", ".jpeg", ".png"];
+pub(super) const ENDINGS: [&str; 3] = [".jpg", ".jpeg", ".png"];
 /// Field of view across that is assumed of a camera that nobody describes, degrees.
 const ACROSS: f64 = 60.0;
 
