@@ -87,6 +87,11 @@ mod tests {
             ),
             (b"1\n00:00:00,000 --> 00:00:00,033\n".to_vec(), "subtitles"),
             (b"$GPGGA,1,2\r\n".to_vec(), "NMEA"),
+            (
+                b"1\t120633.0\t[2314]\t 10,N\t 20,E\t 190,V\t-33.85,Lat\t18.42,Lon\t150.0,Ellh\t0.01, 0.01, 0.02\t50,Q\n".to_vec(),
+                "receiver of DJI",
+            ),
+            (b"#BESTPOSA,COM1,0,55.0,FINESTEERING\r\n".to_vec(), "NovAtel"),
             (with(16, b"BUILD"), "DJI aircraft"),
             (
                 b"OziExplorer Map Data File Version 2.2\r\n".to_vec(),
