@@ -354,3 +354,25 @@ fn a_list_longer_than_is_kept_tells_its_length_and_that() {
         log.report
     );
 }
+
+#[test]
+fn heights_of_a_fix_of_ros_are_told_to_be_above_the_ellipsoid() {
+    let told = |kind: &str, height: f64| {
+        let definition = b"float64 latitude\nfloat64 longitude\nfloat64 altitude\n";
+        let mut file = Written::new()
+            .and(&schema(3, kind, "ros2msg", definition))
+            .and(&channel(7, 3, "/fix", "cdr"));
+        for time in 1..10 {
+            let place = [47.5, 8.5, height].map(f64::to_le_bytes);
+            let data = [&[0, 1, 0, 0], place.as_flattened()].concat();
+            file = file.and(&message(7, 1_000_000_000 * time, &data));
+        }
+        let log = read(&file.end(9, &[]));
+        let mut remarks = log.report.remarks.iter();
+        remarks.any(|it| it.contains("/fix.altitude is above the ellipsoid"))
+    };
+    assert!(told("sensor_msgs/msg/NavSatFix", 600.0));
+    // A receiver without a height, and a message whose heights are above the sea.
+    assert!(!told("sensor_msgs/msg/NavSatFix", f64::NAN));
+    assert!(!told("gps_msgs/msg/GPSFix", 600.0));
+}
