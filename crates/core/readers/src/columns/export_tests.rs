@@ -323,3 +323,26 @@ fn a_table_of_photos_without_times_says_that_it_is_one() {
     let lacks = map.lacks().unwrap();
     assert!(lacks.contains("pictures by their names"), "{lacks}");
 }
+
+#[test]
+fn velocities_that_agree_with_the_track_in_part_are_told() {
+    let head = "time,lat,lon,alt,yaw,vx,vy,vz";
+    for (share, is_told) in [(1.0, false), (0.5, true)] {
+        let text = table(head, |_, it| {
+            let other = (1.0 - share) * 16.0 * (3.0 * it.time / 20.0).cos();
+            format!(
+                "{:.1},{:.8},{:.8},{:.2},{:.1},{:.3},{:.3},-0.5",
+                it.time,
+                it.latitude,
+                it.longitude,
+                120.0 + it.up,
+                it.course,
+                it.north,
+                share * it.east + other
+            )
+        });
+        let (map, _) = read(&text);
+        let told = map.findings.join("; ");
+        assert_eq!(told.contains("in part only"), is_told, "{told}");
+    }
+}

@@ -102,7 +102,17 @@ pub(super) fn along_earth(board: &mut FlightColumns, ids: &[Id], best: AxesFit) 
     let names = board.names(ids);
     let first = ids[0];
     if (0.5..0.8).contains(&best.score) {
-        // The places are too uncertain to say.
+        // The places are too uncertain to say; names that are letters of axes do not say it either.
+        if board.is_axis(first) {
+            board.tell(
+                first.0,
+                format!(
+                    "{names}: the steps of the position agree with them in part only, along whatever axes; they are taken \
+                     for those along {}",
+                    EARTH[0].name
+                ),
+            );
+        }
         return;
     }
     if best.score < 0.5 {
