@@ -373,3 +373,16 @@ fn fixes_of_drivers_are_places() {
         }
     }
 }
+
+#[test]
+fn a_height_above_the_take_off_is_known_by_the_name_of_its_topic() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let rows = [vec![0.0, 0.0], vec![1.0, 2.5]];
+    let kind = "std_msgs/msg/Float32";
+    with(&mut log, "/dji_osdk_ros/gps_health", kind, &["data"], &rows);
+    assert_eq!(series(&log, Role::HeightAboveGround), None);
+    let topic = "/dji_osdk_ros/height_above_takeoff";
+    with(&mut log, topic, kind, &["data"], &rows);
+    let height = series(&log, Role::HeightAboveGround).unwrap();
+    assert_eq!(height.values, [0.0, 2.5]);
+}

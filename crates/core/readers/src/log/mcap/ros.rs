@@ -112,6 +112,13 @@ const ROS: &[RoleSource] = &[
         "data",
         1.0,
     ),
+    // Of DJI's packages.
+    field(
+        Role::HeightAboveGround,
+        "std_msgs/Float32@height_above_takeoff",
+        "data",
+        1.0,
+    ),
     field(Role::HeightAboveGround, ALTITUDE, "relative", 1.0),
     field(Role::BarometricHeight, ALTITUDE, "monotonic", 1.0),
     of(
