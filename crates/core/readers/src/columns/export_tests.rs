@@ -48,7 +48,7 @@ fn read(text: &str) -> (ColumnMap, Flight) {
     (map, flight.unwrap().flight)
 }
 
-/// Whether all rows are there and lie where they were, within a centimetre or what the reading's own sphere differs by.
+/// Asserts that all rows are there and lie where they were, within what a sphere differs by.
 fn assert_places(flight: &Flight, text: &str) {
     let head = text.lines().next();
     let origin = flight.frame_on_globe.unwrap().origin;
@@ -344,5 +344,25 @@ fn velocities_that_agree_with_the_track_in_part_are_told() {
         let (map, _) = read(&text);
         let told = map.findings.join("; ");
         assert_eq!(told.contains("in part only"), is_told, "{told}");
+    }
+}
+
+#[test]
+fn the_axes_of_a_gyro_are_read_in_one_unit() {
+    let text = table("time,lat,lon,alt,yaw,gyroX,gyroY,gyroZ", |_, it| {
+        format!(
+            "{:.1},{:.8},{:.8},120,{:.1},{:.4},{:.4},{:.4}",
+            it.time,
+            it.latitude,
+            it.longitude,
+            it.course,
+            0.5 * (1.3 * it.time).sin(),
+            0.5 * (1.7 * it.time).cos(),
+            150.0 * (1.1 * it.time).sin()
+        )
+    });
+    let (map, _) = read(&text);
+    for name in ["gyroX", "gyroY", "gyroZ"] {
+        assert_eq!(guessed(&map, name).1, "deg/s", "{name}");
     }
 }

@@ -4,7 +4,7 @@ use pilotage_flight::ChannelName;
 
 use super::Known;
 use super::axes::{AxesFit, AxisOrder, BODY, centred, compare, fits};
-use super::board::{FlightColumns, Id};
+use super::board::{FlightColumns, Id, UnitBasis};
 use super::grid::quantile;
 use crate::cells::Dimension;
 use crate::columns::ColumnRole;
@@ -32,6 +32,9 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         ChannelName::PitchRate,
         ChannelName::YawRate,
     ];
+    if let Some(ids) = triple(board, gyros) {
+        in_one_unit(board, ids);
+    }
     let found = triple(board, gyros).and_then(|ids| rates(board, known, ids));
     if let Some(ids) = triple(board, gyros).filter(|ids| found.is_none() && of_phone(board, *ids)) {
         leave_out(board, ids);
@@ -43,6 +46,24 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     ];
     if let Some(ids) = triple(board, accelerations) {
         acceleration(board, known, ids, found);
+    }
+}
+
+/// Reads the axes of one sensor in one unit where none is stated: the smallest, which numbers too great for the others ask for.
+fn in_one_unit(board: &mut FlightColumns, ids: [Id; 3]) {
+    if ids.iter().any(|id| board.basis(*id) != UnitBasis::Assumed) {
+        return;
+    }
+    let size = |id: &Id| {
+        let factor = Dimension::AngularRate.factor(Some(&board.column(*id).unit));
+        factor.unwrap_or(f64::INFINITY)
+    };
+    let smallest = ids.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)));
+    let Some(unit) = smallest.map(|id| board.column(id).unit.clone()) else {
+        return;
+    };
+    for id in ids {
+        board.maps[id.0].columns[id.1].unit.clone_from(&unit);
     }
 }
 
