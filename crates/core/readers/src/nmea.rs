@@ -400,7 +400,7 @@ impl Sentences {
         let known = latest.rposition(|epoch| epoch.second == second);
         let is_next = self.epochs.last().is_none_or(|last| {
             let step = second - last.second;
-            step > 0.0 || step < -0.5 * DAY
+            !(-0.5 * DAY..=0.0).contains(&step)
         });
         let epoch = match known {
             Some(at) => self.epochs.get_mut(from + at),
