@@ -5,7 +5,7 @@ use crate::angle_text::{AngleText, angle_of_text};
 use crate::frames::Geodetic;
 
 /// Greatest number that may be meant as an angle, degrees.
-const GREATEST_ANGLE: f64 = 360.0;
+pub(super) const GREATEST_ANGLE: f64 = 360.0;
 
 /// The place that two angles name: latitude first, unless letters say otherwise.
 pub(super) fn read(text: &str) -> Result<Geodetic, PlaceTextError> {

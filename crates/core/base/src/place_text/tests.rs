@@ -67,6 +67,10 @@ fn utm_coordinates_are_read_with_the_band_or_the_half_of_their_zone() {
         "32T 448251.5 5211932.5",
         "32 T 448251.5mE 5211932.5mN",
         "UTM zone 32T 448251.5E, 5211932.5N",
+        // As Google Earth shows it.
+        "32 T 448251.50 m E 5211932.50 m N",
+        "32T 448251.50 m, 5211932.50 m",
+        "32 T 448251.5 mE 5211932.5 mN",
         "32n 448251.5 5211932.5",
         "32 north 448251.5 5211932.5",
     ] {
@@ -79,6 +83,21 @@ fn utm_coordinates_are_read_with_the_band_or_the_half_of_their_zone() {
         "56 South 334368.5 6251254.5",
     ] {
         assert!(off(text, south) < 1e-3, "{text}");
+    }
+}
+
+#[test]
+fn a_zone_keeps_its_own_letter_beside_letters_of_units() {
+    // By pyproj: EPSG:32732 to EPSG:4326.
+    let place = [-0.999_998_563_269_485_8, 9.0];
+    assert!(off("32 M 500000 m E 9889470 m N", place) < 1e-3);
+    assert!(off("32M 500000 9889470", place) < 1e-3);
+}
+
+#[test]
+fn degrees_and_minutes_are_no_utm_coordinates() {
+    for text in ["46 N 30 15 E", "46 N 30 15E", "46 N, 30 15 E"] {
+        assert_eq!(degrees(text), Ok([46.0, 30.25]), "{text}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! UTM coordinates: a zone with its band or its half, easting, northing.
 
 use super::PlaceTextError;
+use super::degrees::GREATEST_ANGLE;
 use crate::frames::{Geodetic, ReferenceSystem};
 
 /// Letters of the latitude bands from 80° south, 8° each.
@@ -47,16 +48,20 @@ pub(super) fn system(zone: u8, is_south: bool) -> Result<ReferenceSystem, PlaceT
     Ok(ReferenceSystem::Utm { zone, is_south })
 }
 
-/// The place of a text in capitals, if it has the form `32T 448251 5211932` or `32 NORTH 448251 5211932`.
+/// The place of a text in capitals, if it has the form `32T 448251 5211932` or `32 NORTH 448251 5211932`; units may stand
+/// apart from the numbers, as Google Earth writes them: `32 T 448251.5 M E 5211932.5 M N`.
 pub(super) fn read(text: &str) -> Option<Result<Geodetic, PlaceTextError>> {
     let words = text.split([' ', '\t', ',', ';']);
     let words: Vec<_> = words
         .filter(|word| !["", "UTM", "ZONE"].contains(word))
         .collect();
-    let [zone @ .., east, north] = &words[..] else {
-        return None;
-    };
-    let (east, north) = (metres(east)?, metres(north)?);
+    // The first number is that of the zone, and letters behind it are the zone's; those behind the others are units.
+    let is_number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit());
+    let first = 1 + words.iter().skip(1).position(is_number)?;
+    let (zone, rest) = words.split_at(first);
+    let second = 1 + rest.iter().skip(1).position(is_number)?;
+    let [east, north] = [&rest[..second], &rest[second..]].map(|of_one| metres(&of_one.concat()));
+    let (east, north) = (east.filter(|east| *east > GREATEST_ANGLE)?, north?);
     let zone = zone.concat();
     let half = zone.trim_start_matches(|c: char| c.is_ascii_digit());
     let number = zone.strip_suffix(half)?.parse().ok()?;
