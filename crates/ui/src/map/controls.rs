@@ -176,10 +176,7 @@ impl MapView {
         rect: Rect,
         context: &mut ViewContext<'_>,
     ) {
-        let Some((id, landmark)) = self
-            .naming
-            .and_then(|id| Some((id, context.mission.landmark(id)?)))
-        else {
+        let Some(landmark) = self.naming.and_then(|id| context.mission.landmark(id)) else {
             self.naming = None;
             return;
         };
@@ -215,13 +212,13 @@ impl MapView {
                 }
                 let escape = ui.input(|i| i.key_pressed(Key::Escape));
                 if field.lost_focus() || escape {
-                    let name = self.name_draft.trim().to_owned();
-                    if !name.is_empty() && !escape {
-                        context.commands.push(Command::RenameLandmark { id, name });
-                    }
                     // The next key is not for a field that is gone.
                     field.surrender_focus();
-                    self.naming = None;
+                    if escape {
+                        self.naming = None;
+                    } else {
+                        self.finish_naming(context);
+                    }
                 }
             });
     }

@@ -37,7 +37,7 @@ impl MapView {
         {
             let hit = landmark_at(&context.mission.landmarks, &view, at);
             context.commands.push(Command::SelectLandmark(hit));
-            self.naming = None;
+            self.finish_naming(context);
         }
         if response.double_clicked()
             && let Some(at) = response.interact_pointer_pos()
@@ -62,6 +62,14 @@ impl MapView {
     pub fn name_new(&mut self, id: u32, name: &str) {
         name.clone_into(&mut self.name_draft);
         self.naming = Some(id);
+    }
+
+    /// Closes the field that names a landmark in place, and keeps what was typed.
+    pub(super) fn finish_naming(&mut self, context: &mut ViewContext<'_>) {
+        let name = self.name_draft.trim().to_owned();
+        if let Some(id) = self.naming.take().filter(|_| !name.is_empty()) {
+            context.commands.push(Command::RenameLandmark { id, name });
+        }
     }
 
     fn wheel(&mut self, ui: &Ui, rect: Rect, response: &Response) {
