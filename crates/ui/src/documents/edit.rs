@@ -20,17 +20,22 @@ impl Documents {
     }
 
     /// Gives a landmark another box; the reference point keeps its place in it. True once the drag
-    /// is over.
+    /// is over and changed anything.
     pub fn reshape_landmark(&mut self, id: u32, bounds: GroundRect, finished: bool) -> bool {
         self.mission.history.begin_drag(&self.mission.content);
-        if let Some(landmark) = self.mission.landmarks.iter_mut().find(|l| l.id == id) {
-            landmark.reshape(bounds);
+        // From where it was when the drag began: there and back again, it is as it was.
+        let before = self.mission.history.before_drag();
+        let before = before.and_then(|it| it.landmark(id)).cloned();
+        let content = &mut self.mission.content;
+        let now = content.landmarks.iter_mut().find(|l| l.id == id);
+        if let (Some(landmark), Some(before)) = (now, before) {
+            *landmark = before;
+            if landmark.bounds != bounds {
+                landmark.reshape(bounds);
+            }
             self.mission.is_edited = true;
         }
-        if finished {
-            self.mission.history.finish_drag(&self.mission.content);
-        }
-        finished
+        finished && self.mission.history.finish_drag(&self.mission.content)
     }
 
     /// Names a landmark.
@@ -177,6 +182,23 @@ mod tests {
         documents.reshape_landmark(id, moved, true);
         let reference = documents.mission.landmark(id).map(|l| l.reference);
         assert_eq!(reference, Some(moved.center()));
+    }
+
+    #[test]
+    fn a_landmark_that_is_dragged_there_and_back_is_as_it_was() {
+        let mut documents = Documents::new(&Session::demo());
+        let id = documents.add_landmark(box_of(20.0));
+        let landmarks = &mut documents.mission.content.landmarks;
+        let landmark = landmarks.iter_mut().find(|l| l.id == id).unwrap();
+        landmark.reference = pilotage_core::frames::GroundPoint::new(0.1, 0.7);
+        let (before, depth) = (landmark.clone(), documents.mission.history.depth());
+        for size in [31.7, 0.3, 47.1] {
+            assert!(!documents.reshape_landmark(id, box_of(size), false));
+        }
+        assert!(!documents.reshape_landmark(id, before.bounds, true));
+        assert_eq!(documents.mission.landmark(id), Some(&before));
+        assert_eq!(documents.mission.history.depth(), depth);
+        assert!(documents.reshape_landmark(id, box_of(10.0), true));
     }
 
     #[test]

@@ -33,6 +33,11 @@ impl History {
         }
     }
 
+    /// The mission as it was before the drag that is under way.
+    pub fn before_drag(&self) -> Option<&Mission> {
+        self.dragging.as_ref()
+    }
+
     /// Ends a drag: one step, unless nothing changed; whether it is one. `mission` is as the drag left it.
     pub fn finish_drag(&mut self, mission: &Mission) -> bool {
         let before = self.dragging.take().filter(|before| before != mission);

@@ -138,7 +138,16 @@ impl MapView {
         }
         if escape {
             self.picking = false;
-            self.drag = Drag::None;
+            // A landmark under way goes back to where it was taken.
+            if let Drag::Move { id, bounds, .. } | Drag::Resize { id, bounds, .. } =
+                std::mem::take(&mut self.drag)
+            {
+                context.commands.push(Command::ReshapeLandmark {
+                    id,
+                    bounds,
+                    finished: true,
+                });
+            }
         }
         if delete && let Some(id) = context.selection {
             context.commands.push(Command::DeleteLandmark(id));
