@@ -209,15 +209,28 @@ impl Georeferencer {
 
     fn swap(&mut self, (points, system): Snapshot) -> Snapshot {
         let now = (std::mem::replace(&mut self.points, points), self.system);
-        self.system = system.or(self.system);
+        self.change_plane(system.or(self.system));
         self.fit();
         now
+    }
+
+    /// Takes another plane; a place that waits for its pixel is the same one in that, if it reaches so far.
+    pub(super) fn change_plane(&mut self, plane: Option<ReferenceSystem>) {
+        let before = std::mem::replace(&mut self.system, plane);
+        if before != plane {
+            let carried = |place: Point2<f64>| {
+                let at = before?.geodetic(place.x, place.y)?;
+                let (x, y) = plane?.coordinates(&at)?;
+                Some(Point2::new(x, y))
+            };
+            self.pending.place = self.pending.place.and_then(carried);
+        }
     }
 
     /// Takes the points of a file in place of those there are, one undo step.
     pub fn take_points(&mut self, points: Vec<ControlPoint>, plane: ReferenceSystem) {
         self.remember();
-        self.system = Some(plane);
+        self.change_plane(Some(plane));
         let middle = points.first();
         let middle = middle.and_then(|point| plane.geodetic(point.place.x, point.place.y));
         self.frame = self.frame.or(middle.map(LocalFrame::new));
@@ -321,6 +334,33 @@ mod tests {
             assert!((a.place - b.place).norm() < 1e-9 && (a.pixel - b.pixel).norm() < 1e-9);
         }
         assert_eq!(it.world_file_name(), "area.jgw");
+    }
+
+    #[test]
+    fn a_place_that_waits_for_its_pixel_stays_where_it_is_when_points_of_another_zone_come() {
+        let it = picked();
+        let read = ReadControlPoints::read("a.points", &it.points_file(), None, None, "").unwrap();
+        let mut it = Georeferencer::new("opened-1", "b.png", None);
+        // 89.9° W: in zone 16, while the file's points are of zone 15.
+        let at = Geodetic::from_degrees(46.857, -89.9, 0.0);
+        it.pick_globe(&at);
+        assert_eq!(it.system.and_then(|s| s.epsg()), Some(32_616));
+        it.take_points(read.points, read.plane);
+        assert_eq!(it.system.and_then(|s| s.epsg()), Some(32_615));
+        let place = it.pending.place.unwrap();
+        // By pyproj: EPSG:4326 to EPSG:32615.
+        assert!(
+            (place - Point2::new(736_300.004, 5_193_939.758)).norm() < 0.01,
+            "{place}"
+        );
+        it.pick_pixel(Point2::new(50.0, 60.0));
+        assert_eq!(it.points.len(), 4);
+        it.undo();
+        it.undo();
+        it.pick_globe(&at);
+        it.redo();
+        assert_eq!(it.system.and_then(|s| s.epsg()), Some(32_615));
+        assert!((it.pending.place.unwrap() - place).norm() < 1e-6);
     }
 
     #[test]

@@ -50,9 +50,9 @@ impl Georeferencer {
     pub fn pick_globe(&mut self, at: &Geodetic) {
         let is_first = self.points.is_empty();
         if is_first && (self.frame.is_none() || self.distance(at).is_some()) {
-            self.system = Some(ReferenceSystem::utm_around(at));
+            self.change_plane(Some(ReferenceSystem::utm_around(at)));
         } else if is_first && let Some(frame) = self.frame {
-            self.system = Some(ReferenceSystem::utm_around(&frame.origin));
+            self.change_plane(Some(ReferenceSystem::utm_around(&frame.origin)));
         }
         let system = self.system;
         self.frame.get_or_insert_with(|| LocalFrame::new(*at));
