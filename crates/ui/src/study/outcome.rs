@@ -1,7 +1,7 @@
 //! Outcome of a study so far: errors and reliability by setting, and the flights that failed.
 
 use pilotage_core::filter::quantile;
-use pilotage_core::training::evaluation::wilson;
+use pilotage_core::training::evaluation::{Rate, correlation_within};
 use pilotage_study::{DrawBy, MeasureKind, StudyPlan, quantile_ranks};
 
 use super::grouping::{FlightGroups, StudyBy, compared};
@@ -49,7 +49,7 @@ pub struct SettingOutcome {
     pub error: Option<ErrorSpread>,
     /// Flights at whose end the truth lay in the 95 % ellipse, of those that came to their end.
     pub inside: [usize; 2],
-    /// Wilson's 95 % interval of that share.
+    /// Wilson's 95 % interval of that share, of as many flights as those of the same draws are worth.
     pub interval: [f64; 2],
     /// Mean share of the time in which the truth lay in the ellipse.
     pub time_inside: Option<f64>,
@@ -103,7 +103,7 @@ impl StudyOutcome {
         let mut failed = Vec::new();
         for ((run, numbers), group) in study.rows().zip(&groups.of) {
             if let Some(tally) = tallies.get_mut(*group) {
-                tally.take(numbers, error);
+                tally.take(run / plan.cells(), numbers, error);
             }
             failed.extend(failure(plan, numbers).map(|why| FailedRun {
                 run,
@@ -115,10 +115,10 @@ impl StudyOutcome {
             }));
         }
         let settings = groups.labels.into_iter().zip(tallies);
-        let are_independent = plan.draw_by == DrawBy::Random;
+        let is_random = plan.draw_by == DrawBy::Random;
         Self {
             settings: settings
-                .map(|(label, tally)| tally.outcome(label, are_independent))
+                .map(|(label, tally)| tally.outcome(label, is_random))
                 .collect(),
             failed,
         }
@@ -130,18 +130,27 @@ impl StudyOutcome {
 struct SettingTally {
     flights: usize,
     errors: Vec<f64>,
-    inside: [usize; 2],
+    /// Latest draw: runs come draw by draw.
+    draw: Option<u64>,
+    /// Of each draw, flights that ended inside, and those that came to their end. Flights of a draw have the same seeds, so
+    /// that they go alike.
+    inside: Vec<(usize, usize)>,
     /// Sum of the shares of the time, and their number.
     time: (f64, f64),
 }
 
 impl SettingTally {
-    fn take(&mut self, numbers: &[Option<f64>], error: MeasureKind) {
+    fn take(&mut self, draw: u64, numbers: &[Option<f64>], error: MeasureKind) {
         self.flights += 1;
         self.errors.extend(error.among(numbers));
-        if let Some(is_inside) = MeasureKind::InsideAtEnd.among(numbers) {
-            self.inside[0] += usize::from(is_inside > 0.5);
-            self.inside[1] += 1;
+        if self.draw.replace(draw) != Some(draw) {
+            self.inside.push((0, 0));
+        }
+        if let Some(is_inside) = MeasureKind::InsideAtEnd.among(numbers)
+            && let Some(of_draw) = self.inside.last_mut()
+        {
+            of_draw.0 += usize::from(is_inside > 0.5);
+            of_draw.1 += 1;
         }
         if let Some(share) = MeasureKind::Inside.among(numbers) {
             self.time.0 += share;
@@ -149,15 +158,16 @@ impl SettingTally {
         }
     }
 
-    fn outcome(self, label: String, are_independent: bool) -> SettingOutcome {
-        let [inside, of] = self.inside;
+    fn outcome(self, label: String, is_random: bool) -> SettingOutcome {
+        let has_one_of_each_draw = self.inside.len() == self.flights;
+        let inside = Rate::clustered(&self.inside, correlation_within(&self.inside));
         let (sum, count) = self.time;
         SettingOutcome {
             label,
             flights: self.flights,
-            error: ErrorSpread::of(self.errors, are_independent),
-            inside: self.inside,
-            interval: wilson(inside as f64, of as f64).into(),
+            error: ErrorSpread::of(self.errors, is_random && has_one_of_each_draw),
+            inside: [inside.happened, inside.of],
+            interval: [inside.low, inside.high],
             time_inside: (count > 0.0).then(|| sum / count),
         }
     }
@@ -207,6 +217,34 @@ mod tests {
             ErrorSpread::of(values, true).unwrap().median
         };
         assert_eq!((of_few(5), of_few(6)), (None, Some([0.0, 5.0])));
+    }
+
+    #[test]
+    fn flights_of_the_same_draw_are_worth_no_more_than_the_draw() {
+        let outcome = |cells: u64| {
+            let mut tally = SettingTally::default();
+            // 20 draws, of which the last two end outside, in every cell alike.
+            for run in 0..20 * cells {
+                let draw = run / cells;
+                let numbers = MeasureKind::ALL.map(|kind| match kind {
+                    MeasureKind::ErrorRms => Some(draw as f64),
+                    MeasureKind::InsideAtEnd => Some(f64::from(u8::from(draw < 18))),
+                    _ => None,
+                });
+                tally.take(draw, &numbers, MeasureKind::ErrorRms);
+            }
+            tally.outcome(String::new(), true)
+        };
+        let [one, ten] = [1, 10].map(outcome);
+        // By the printed formulas: ranks of the binomial law of 20, and Wilson's interval of 18 of 20.
+        assert_eq!(one.error.unwrap().median, Some([5.0, 14.0]));
+        for outcome in [&one, &ten] {
+            let [low, high] = outcome.interval;
+            assert!((low - 0.6990).abs() < 1e-3 && (high - 0.9721).abs() < 1e-3);
+            assert!(!outcome.is_too_sure());
+        }
+        assert_eq!((ten.inside, ten.flights), ([180, 200], 200));
+        assert_eq!(ten.error.unwrap().median, None);
     }
 
     #[test]
