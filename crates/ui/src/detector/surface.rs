@@ -1,6 +1,7 @@
 //! The score at every place of the searched ground.
 
 use egui::{Align2, Painter, Rect, RichText, Sense, Stroke, TextureId, Ui, pos2, vec2};
+use pilotage_core::filter::probability_words;
 use pilotage_core::landmark::{CascadeEvidence, MarkedPlace};
 
 use super::ground::{GroundPlan, legend};
@@ -70,8 +71,8 @@ pub(super) fn show(ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, sco
     let Some(best) = evidence.marks.first() else {
         return;
     };
-    let chance = format!("{:.1}", 100.0 * best.probability);
-    let reading = parts::NumberReadout::new("Probability that this score is right", chance, "%");
+    let chance = probability_words(best.probability);
+    let reading = parts::NumberReadout::new("Probability that this score is right", chance, "");
     parts::reading(ui, tokens, &reading);
     let names = ["North of where expected", "East of where expected"];
     for (name, value) in names.into_iter().zip(offset(evidence, best)) {

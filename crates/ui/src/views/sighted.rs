@@ -93,7 +93,7 @@ pub(crate) fn mark(
 }
 
 /// A probability with that many decimals. One that is not certain is never rounded to certainty.
-fn certainty(probability: f64, decimals: usize) -> String {
+pub(crate) fn certainty(probability: f64, decimals: usize) -> String {
     let rounded = format!("{probability:.decimals$}");
     if probability < 1.0 && rounded.starts_with('1') {
         format!("over 0.{}", "9".repeat(decimals))

@@ -1,6 +1,7 @@
 //! A whole picture laid on the map, in numbers.
 
 use egui::{RichText, Ui};
+use pilotage_core::filter::probability_words;
 use pilotage_core::navigator::{JointReport, RegistrationReport, Run};
 use pilotage_core::registration::RegistrationMethod;
 
@@ -19,7 +20,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
         );
     }
     if let Some(probability) = laid.probability {
-        let reading = NumberReadout::new("likeliest place", parts::brief(100.0 * probability), "%");
+        let reading = NumberReadout::new("likeliest place", probability_words(probability), "");
         parts::reading(ui, tokens, &reading);
     }
     let Some(place) = &laid.place else { return };

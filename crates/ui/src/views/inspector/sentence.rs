@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use nalgebra::Vector2;
+use pilotage_core::filter::probability_words;
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::navigator::{
     AidInfo, CandidateReport, Doubt, Estimate, FrameReport, Instrument, Outcome,
@@ -130,8 +131,8 @@ fn whole_picture(
     let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
     let by = match (laid.laid_by, laid.probability) {
         (RegistrationMethod::WholeFrame, Some(probability)) => format!(
-            "by its edges, which fit nowhere else as well ({} %)",
-            figures(100.0 * probability)
+            "by its edges, which fit nowhere else as well ({})",
+            probability_words(probability)
         ),
         _ => format!("{agreeing} of {} patches agreeing", laid.tried),
     };
@@ -509,6 +510,12 @@ mod tests {
             text.starts_with("The whole picture lies 5.0 m from where expected"),
             "{text}"
         );
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        let doubted = frame.laid.as_mut().unwrap();
+        doubted.laid_by = RegistrationMethod::WholeFrame;
+        doubted.probability = Some(0.9997);
+        let text = of(&fixture, index);
+        assert!(text.contains("nowhere else as well (> 99.9 %)"), "{text}");
         laid.refusal = Some("nothing within reach looks like the picture".to_owned());
         let frame = fixture.run.steps[index].frame.as_mut().unwrap();
         frame.joint = None;

@@ -1,6 +1,9 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
+use pilotage_core::navigator::RegistrationReport;
+use pilotage_core::registration::RegistrationMethod;
+
 use super::super::fixture::Fixture;
 use super::*;
 use crate::command::Command;
@@ -48,6 +51,25 @@ fn a_corrected_step_shows_its_sentence_gain_and_landmarks() {
             .commands
             .contains(&Command::SelectLandmark(Some(1)))
     );
+}
+
+#[test]
+fn the_probability_of_a_whole_picture_is_never_rounded_to_certainty() {
+    let mut harness = harness(12.0);
+    let steps = &mut harness.state_mut().fixture.run.steps;
+    for frame in steps.iter_mut().filter_map(|step| step.frame.as_mut()) {
+        frame.laid = Some(RegistrationReport {
+            place: None,
+            refusal: None,
+            refused_as: None,
+            tried: 60,
+            laid_by: RegistrationMethod::WholeFrame,
+            log_false_alarms: -4.0,
+            probability: Some(0.9997),
+        });
+    }
+    harness.run();
+    harness.get_by_label_contains("likeliest place > 99.9 %");
 }
 
 #[test]

@@ -6,6 +6,7 @@ use pilotage_core::navigator::{CandidateReport, Run};
 
 use super::super::parts::{self, NumberReadout, figures};
 use super::super::picking;
+use super::super::sighted::certainty;
 use crate::context::ViewContext;
 
 /// Score, ambiguity and NIS with their limits, then the innovation.
@@ -114,7 +115,7 @@ fn by_probability(
     let is_believed = probability >= LEAST_PROBABILITY;
     let reading = NumberReadout::new(
         format!("Probability (at least {})", figures(LEAST_PROBABILITY)),
-        format!("{probability:.3}"),
+        certainty(probability, 3),
         "",
     )
     .color(if is_believed {
