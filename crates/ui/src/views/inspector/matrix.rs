@@ -40,7 +40,7 @@ pub(super) fn covariance(
         names,
         |r, c| {
             if roomy {
-                figures(matrix[(r, c)])
+                si_figures(matrix[(r, c)])
             } else if r == c {
                 "1".to_owned()
             } else {
@@ -69,12 +69,23 @@ pub(super) fn covariance(
                 "{} with {}\ncovariance {}, correlation {:.2}",
                 names[row],
                 names[column],
-                figures(matrix[(row, column)]),
+                si_figures(matrix[(row, column)]),
                 correlation(row, column)
             ));
         }
     }
     roomy
+}
+
+/// A number in SI units, which may be small: of angles and their rates, a power of ten below a thousandth.
+fn si_figures(value: f64) -> String {
+    let size = value.abs();
+    if size >= 1e-3 || value == 0.0 || !value.is_finite() {
+        return figures(value);
+    }
+    // An exponent of two digits leaves room for one before it.
+    let decimals = usize::from(size >= 1e-9);
+    format!("{value:.decimals$e}").replace('-', "−")
 }
 
 /// A correlation without its leading zero. One of less than 1 is not rounded to it.
@@ -120,7 +131,7 @@ pub(super) fn gain(
         tokens,
         rows,
         columns,
-        |r, c| figures(matrix[(r, c)]),
+        |r, c| si_figures(matrix[(r, c)]),
         |r, c| {
             let part = matrix[(r, c)] / most[r];
             let color = if part >= 0.0 {
@@ -240,6 +251,22 @@ mod tests {
         assert_eq!(two, ["−.85", ".00", ".29", ".99"]);
         let one = [-0.854, -0.001, -0.06, 0.294, -0.98].map(|value| correlation_text(value, 1));
         assert_eq!(one, ["−.9", ".0", "−.1", ".3", "−.9"]);
+    }
+
+    #[test]
+    fn small_covariances_are_powers_of_ten_and_not_nothing() {
+        // Variances of a heading bias of 0.4° and 0.5° in square radians, and what is nothing.
+        let told = [4.87e-5, 7.6e-5, -0.000_999, 3e-12, 0.0, 0.0049, 12.34].map(si_figures);
+        let wanted = [
+            "4.9e−5",
+            "7.6e−5",
+            "−1.0e−3",
+            "3e−12",
+            "0",
+            "0.0049",
+            "12.3",
+        ];
+        assert_eq!(told, wanted);
     }
 
     #[test]
