@@ -8,7 +8,7 @@ use super::command::CompareCommand;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::FeatureWork;
-use crate::shell::{at_work, text_button};
+use crate::shell::{at_work, counted, text_button};
 use crate::views::{parts, table};
 
 /// State of the contest of all estimators.
@@ -93,10 +93,10 @@ fn table_of(ui: &mut Ui, context: &ViewContext<'_>, found: &EstimatorComparison)
         table::named_row(ui, tokens, &cells, (&name(row), 0.0), |ui| {
             let label = RichText::new(name(row)).size(tokens.text_sizes[1]);
             let hint = format!(
-                "{}: {:.3} ms a step, {} landmarks accepted, {} refused",
+                "{}: {:.3} ms a step, {} accepted, {} refused",
                 name(row),
                 row.ms_per_step,
-                row.updates_accepted,
+                counted(row.updates_accepted, "landmark", "landmarks"),
                 row.updates_refused
             );
             ui.add(egui::Label::new(label).truncate())

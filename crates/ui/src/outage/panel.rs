@@ -8,7 +8,7 @@ use super::chart::{colour, growth_chart};
 use super::state::{OutageCommand, Outages, measures_airspeed};
 use super::wind::winds;
 use crate::context::ViewContext;
-use crate::shell::{at_work, text_button, whole_sentences};
+use crate::shell::{at_work, counted, text_button, whole_sentences};
 use crate::units::clock;
 use crate::views::{parts, table};
 use pilotage_jobs::{OutageReport, StudyReport};
@@ -208,7 +208,8 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     };
     let titles = ["median", "90 %", "inside"].map(str::to_owned);
     table::heads(ui, tokens, &titles, |ui| {
-        ui.label(small(&format!("{cuts} outages, end error, {unit}")));
+        let outages = counted(cuts, "outage", "outages");
+        ui.label(small(&format!("{outages}, end error, {unit}")));
     });
     for row in studies {
         let cells = [

@@ -5,7 +5,7 @@ use egui::{Align2, Label, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 use super::command::StudyCommand;
 use super::outcome::{FailedRun, StudyOutcome};
 use crate::context::ViewContext;
-use crate::shell::{heading, muted, paint_focus_ring, paint_row};
+use crate::shell::{counted, heading, muted, paint_focus_ring, paint_row};
 use crate::views::parts;
 
 /// Most rows that are listed.
@@ -53,7 +53,8 @@ pub(super) fn failed(
     let tokens = context.tokens;
     let flights: usize = outcome.settings.iter().map(|own| own.flights).sum();
     let count = outcome.failed.len();
-    heading(ui, tokens, &format!("Failed: {count} of {flights} flights"));
+    let flights = counted(flights, "flight", "flights");
+    heading(ui, tokens, &format!("Failed: {count} of {flights}"));
     let words = "A flight failed if the filter gave up, if an error passed a limit of the plan, or if the truth was \
                  outside the 95 % ellipse for more than half of the time.";
     ui.add(Label::new(muted(tokens, words)).wrap());

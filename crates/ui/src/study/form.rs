@@ -8,7 +8,7 @@ use super::command::StudyCommand;
 use super::draft::{DRAWS, StudyDraft, plan_of_routes, with_draws};
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
-use crate::shell::{caption, muted, text_button};
+use crate::shell::{caption, counted, muted, text_button};
 use crate::views::parts;
 
 /// Wall-clock time per second of flight before any study was flown, milliseconds of all workers together.
@@ -118,7 +118,7 @@ fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f
         let flights = draft.plan().map_or(0, StudyPlan::runs);
         ui.add_enabled_ui(is_fine, |ui| {
             let label = if is_fine {
-                format!("Fly {flights} flights")
+                format!("Fly {}", counted(flights as usize, "flight", "flights"))
             } else {
                 "Fly".to_owned()
             };

@@ -14,7 +14,7 @@ use super::under_way::StudyUnderWay;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::icons::Icon;
-use crate::shell::{heading, icon_button, muted, text_button, title};
+use crate::shell::{counted, heading, icon_button, muted, text_button, title};
 
 /// State of the sheet.
 #[derive(Default)]
@@ -132,13 +132,14 @@ impl StudySheet {
 fn progress(ui: &mut Ui, context: &mut ViewContext<'_>, study: &StudyUnderWay) {
     let tokens = context.tokens;
     let (flown, all) = (study.flown(), study.plan().runs());
+    let of_all = counted(all as usize, "flight", "flights");
     if !study.is_under_way() {
         let words = match study.stopped_by_rule() {
             Some(draws) => format!(
-                "Enough after {flown} of {all} flights ({draws} draws), by the plan's rule to stop."
+                "Enough after {flown} of {of_all} ({draws} draws), by the plan's rule to stop."
             ),
-            None if flown < all => format!("Stopped after {flown} of {all} flights."),
-            None => format!("{all} flights flown."),
+            None if flown < all => format!("Stopped after {flown} of {of_all}."),
+            None => format!("{of_all} flown."),
         };
         ui.label(muted(tokens, words));
         return;
@@ -153,10 +154,7 @@ fn progress(ui: &mut Ui, context: &mut ViewContext<'_>, study: &StudyUnderWay) {
             let left = study
                 .left()
                 .map_or_else(String::new, |left| format!(", {} left", wait(left)));
-            ui.label(muted(
-                tokens,
-                format!("{flown} of {all} flights flown{left}"),
-            ));
+            ui.label(muted(tokens, format!("{flown} of {of_all} flown{left}")));
         });
     });
 }

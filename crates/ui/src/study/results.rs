@@ -8,7 +8,7 @@ use super::grouping::StudyBy;
 use super::outcome::{PROMISED, SettingOutcome, StudyOutcome};
 use super::under_way::StudyUnderWay;
 use crate::context::ViewContext;
-use crate::shell::{heading, muted};
+use crate::shell::{counted, heading, muted};
 use crate::views::parts;
 
 /// Kinds of errors that can be plotted, in words.
@@ -107,6 +107,28 @@ fn choose<T: Copy + PartialEq>(
     });
 }
 
+/// Errors of a setting in words, in a unit.
+fn told_errors(own: &SettingOutcome, (factor, unit): (f64, &str)) -> String {
+    let flights = counted(own.flights, "flight", "flights");
+    own.error.map_or_else(
+        || format!("no errors of {flights}"),
+        |spread| {
+            let of = |value: f64| parts::figures(factor * value);
+            let [low, _, median, _, high] = spread.quantiles;
+            let interval = spread.median.map_or_else(String::new, |[from, to]| {
+                let (from, to) = (of(from), of(to));
+                format!(" (95 % interval {from} to {to})")
+            });
+            format!(
+                "median {} {unit}{interval}; nine of ten flights from {} to {} {unit}; {flights}",
+                of(median),
+                of(low),
+                of(high)
+            )
+        },
+    )
+}
+
 fn errors(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcome, error: MeasureKind) {
     let tokens = context.tokens;
     let (factor, unit) = context.units.of_si(error.unit());
@@ -115,21 +137,7 @@ fn errors(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcome, er
         .map(|spread| spread.quantiles[4])
         .fold(0.0, f64::max);
     let row = |own: &SettingOutcome| {
-        let words = own.error.map_or_else(
-            || format!("no errors of {} flights", own.flights),
-            |spread| {
-                let of = |value: f64| parts::figures(factor * value);
-                let [low, _, median, _, high] = spread.quantiles;
-                let interval = spread.median.map_or_else(String::new, |[from, to]| {
-                    let (from, to) = (of(from), of(to));
-                    format!(" (95 % interval {from} to {to})")
-                });
-                format!(
-                    "median {} {unit}{interval}; nine of ten flights from {} to {} {unit}; {} flights",
-                    of(median), of(low), of(high), own.flights
-                )
-            },
-        );
+        let words = told_errors(own, (factor, &unit));
         let dot = own.error.map(|spread| {
             let [low, lower, median, upper, high] = spread.quantiles.map(|value| factor * value);
             PlottedDot {
@@ -158,6 +166,28 @@ fn errors(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcome, er
     ui.add(Label::new(muted(tokens, words)).wrap());
 }
 
+/// Share of the flights of a setting that ended in their ellipse, in words.
+fn told_share(own: &SettingOutcome) -> String {
+    let [inside, of] = own.inside;
+    match (own.share(), own.time_inside) {
+        (Some(share), Some(time)) => format!(
+            "at the end the truth is inside for {inside} of {}, {:.0} % (95 % interval {:.0} to {:.0} %); {:.0} % of the time; promised {:.0} %{}",
+            counted(of, "flight", "flights"),
+            100.0 * share,
+            100.0 * own.interval[0],
+            100.0 * own.interval[1],
+            100.0 * time,
+            100.0 * PROMISED,
+            if own.is_too_sure() {
+                ": too sure of itself"
+            } else {
+                ""
+            }
+        ),
+        _ => "no flights yet".to_owned(),
+    }
+}
+
 fn reliability(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcome) {
     let tokens = context.tokens;
     heading(ui, tokens, "Is the filter honest?");
@@ -168,23 +198,7 @@ fn reliability(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcom
     let lowest = lowest.fold(0.8, f64::min);
     let from = (10.0 * lowest).floor() / 10.0;
     let row = |own: &SettingOutcome| {
-        let [inside, of] = own.inside;
-        let words = match (own.share(), own.time_inside) {
-            (Some(share), Some(time)) => format!(
-                "at the end the truth is inside for {inside} of {of} flights, {:.0} % (95 % interval {:.0} to {:.0} %); {:.0} % of the time; promised {:.0} %{}",
-                100.0 * share,
-                100.0 * own.interval[0],
-                100.0 * own.interval[1],
-                100.0 * time,
-                100.0 * PROMISED,
-                if own.is_too_sure() {
-                    ": too sure of itself"
-                } else {
-                    ""
-                }
-            ),
-            _ => "no flights yet".to_owned(),
-        };
+        let words = told_share(own);
         let dot = own.share().map(|share| PlottedDot {
             value: 100.0 * share,
             thin: own.interval.map(|end| 100.0 * end),
@@ -225,5 +239,33 @@ fn reliability(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcom
             too_sure.join("; ")
         );
         ui.add(Label::new(RichText::new(words).color(tokens.warning)).wrap());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::outcome::ErrorSpread;
+
+    #[test]
+    fn a_setting_of_a_single_flight_has_no_plural() {
+        let mut own = SettingOutcome {
+            label: "all flights".to_owned(),
+            flights: 1,
+            error: None,
+            inside: [1, 1],
+            interval: [0.2065, 1.0],
+            time_inside: Some(0.9),
+        };
+        assert_eq!(told_errors(&own, (1.0, "m")), "no errors of 1 flight");
+        own.error = Some(ErrorSpread {
+            quantiles: [2.0; 5],
+            median: None,
+        });
+        let words = told_errors(&own, (1.0, "m"));
+        assert!(words.ends_with("; 1 flight"), "{words}");
+        assert!(told_share(&own).contains("for 1 of 1 flight, 100 %"));
+        own.flights = 2;
+        assert!(told_errors(&own, (1.0, "m")).ends_with("; 2 flights"));
     }
 }
