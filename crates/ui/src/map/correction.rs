@@ -5,6 +5,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::{Run, StepReport};
 
 use super::symbols::sigma_points;
+use crate::views::picking::recent_frame;
 
 /// Longest motion of a correction, seconds.
 const LONGEST: f64 = 0.25;
@@ -33,13 +34,16 @@ pub fn shown_belief(run: &Run, step: &StepReport, time: f64, motion: f64) -> Sho
         sigma: sigma_points(step).clone(),
         share: 1.0,
     };
-    let corrected = run.frame_step_at(time).filter(|it| it.is_placed());
+    let longest = LONGEST * motion;
+    let corrected = recent_frame(run, time, longest).filter(|it| it.is_placed());
     let Some(corrected) = corrected.filter(|_| motion > 0.0) else {
         return shown;
     };
-    let before = run.frame_step_at(corrected.time - corrected.dt.max(1e-6));
+    // One farther back does not make the motion shorter.
+    let earlier = corrected.time - corrected.dt.max(1e-6);
+    let before = recent_frame(run, earlier, longest / MOST_OF_INTERVAL);
     let interval = before.map_or(f64::INFINITY, |it| corrected.time - it.time);
-    let length = (LONGEST * motion).min(MOST_OF_INTERVAL * interval);
+    let length = longest.min(MOST_OF_INTERVAL * interval);
     let age = (time - corrected.time) / length;
     if !(0.0..1.0).contains(&age) {
         return shown;

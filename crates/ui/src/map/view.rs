@@ -570,7 +570,7 @@ fn believed<'a>(context: &ViewContext<'a>) -> Option<BeliefOfStep<'a>> {
 
 /// The latest step with a camera frame, unless it is long past.
 fn recent_frame(run: &Run, time: f64) -> Option<&StepReport> {
-    run.frame_step_at(time).filter(|s| time - s.time < 3.0)
+    crate::views::picking::recent_frame(run, time, 3.0)
 }
 
 fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {

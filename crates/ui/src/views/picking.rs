@@ -10,10 +10,12 @@ pub(crate) fn landmark_name(run: &Run, id: u32) -> String {
         .map_or_else(|| format!("Landmark {id}"), |l| l.name.clone())
 }
 
-/// The last step with a camera frame at or before `time`, with that frame.
-pub(crate) fn frame_at(run: &Run, time: f64) -> Option<(&StepReport, &FrameReport)> {
-    let step = run.frame_step_at(time)?;
-    Some((step, step.frame.as_ref()?))
+/// The last step with a camera frame at or before `time`, unless it is more than `within` seconds past: however long a run
+/// is, no more of it is searched.
+pub(crate) fn recent_frame(run: &Run, time: f64, within: f64) -> Option<&StepReport> {
+    let steps = run.steps[..=run.index_at(time)?].iter().rev();
+    let mut recent = steps.take_while(|step| time - step.time <= within);
+    recent.find(|step| step.frame.is_some())
 }
 
 /// The candidate to explain: the selected landmark's, else the best-scored accepted one, else the
@@ -37,14 +39,6 @@ pub(crate) fn candidate_to_explain(
         .or_else(|| best(false))
 }
 
-/// Index of the last step at or before `index` in which anything told the place.
-pub(crate) fn last_correction(run: &Run, index: usize) -> Option<usize> {
-    run.steps
-        .get(..=index)?
-        .iter()
-        .rposition(StepReport::is_placed)
-}
-
 /// The second-best score as a fraction of the best; infinite where the best is not positive.
 pub(crate) fn ambiguity(candidate: &CandidateReport) -> f64 {
     if candidate.score > 0.0 {
@@ -62,5 +56,30 @@ pub(crate) fn reason(run: &Run, candidate: &CandidateReport, refusal: Refusal) -
         "it scores no better than look-alikes on the map"
     } else {
         refusal.reason()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::Fixture;
+    use super::*;
+
+    #[test]
+    fn a_recent_frame_is_the_last_one_unless_it_is_long_past() {
+        let mut run = Fixture::lasting(20.0).run;
+        for step in run.steps.iter_mut().filter(|step| step.time > 12.1) {
+            step.frame = None;
+        }
+        let last = run.frame_step_at(20.0).map(|step| step.time).unwrap();
+        assert!((last - 12.0).abs() < 1e-9);
+        for (time, within, wanted) in [
+            (13.0, 3.0, Some(12.0)),
+            (15.2, 3.0, None),
+            (15.2, 4.0, Some(12.0)),
+            (-1.0, 3.0, None),
+        ] {
+            let found = recent_frame(&run, time, within).map(|step| step.time.round());
+            assert_eq!(found, wanted, "{time}");
+        }
     }
 }

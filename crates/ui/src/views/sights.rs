@@ -1,16 +1,69 @@
 //! When a landmark was last looked for, and when one will be next.
 
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::{Run, StepReport};
 
 /// Number of steps ahead in which the next look-out is searched.
 const AHEAD: usize = 4_000;
 
-/// Remembers what was found for the last cursor, so that a long run is not searched in every frame.
+/// Remembers the last step of a kind before the cursor, so that a long run is not searched in every frame.
 #[derive(Debug, Default)]
-pub(crate) struct Sights {
-    /// Steps of the run at the time, the cursor's step, and the last look-out at or before it.
-    seen: Option<(usize, usize, Option<usize>)>,
+pub(crate) struct LastStep {
+    seen: Option<SeenSteps>,
 }
+
+/// Search that was made.
+#[derive(Debug)]
+struct SeenSteps {
+    /// Steps of the run at the time.
+    length: usize,
+    /// Step up to which it went, and the estimate there: another run has another one.
+    until: usize,
+    position: GroundPoint,
+    found: Option<usize>,
+}
+
+impl LastStep {
+    /// The last step at or before `index` that is `wanted`, which is the same in every call.
+    pub fn at(
+        &mut self,
+        run: &Run,
+        index: usize,
+        wanted: impl Fn(&StepReport) -> bool,
+    ) -> Option<usize> {
+        let steps = run.steps.get(..=index)?;
+        let known = self.seen.as_ref().filter(|seen| {
+            let is_same = |step: &StepReport| step.after.position() == seen.position;
+            seen.length <= run.steps.len()
+                && run.steps.get(seen.until).is_some_and(is_same)
+                && seen
+                    .found
+                    .is_none_or(|f| run.steps.get(f).is_some_and(&wanted))
+        });
+        let (from, before) = match known {
+            Some(seen) if seen.until <= index => (seen.until, seen.found),
+            // What was the last one later on is so here, too, or all before it are to be searched.
+            Some(SeenSteps {
+                found: Some(found), ..
+            }) if *found <= index => (index, Some(*found)),
+            Some(SeenSteps { found: None, .. }) => (index, None),
+            _ => (0, None),
+        };
+        let new = steps[from..].iter().rposition(wanted).map(|i| from + i);
+        let found = new.or(before);
+        self.seen = Some(SeenSteps {
+            length: run.steps.len(),
+            until: index,
+            position: steps[index].after.position(),
+            found,
+        });
+        found
+    }
+}
+
+/// Remembers when a landmark was looked for last.
+#[derive(Debug, Default)]
+pub(crate) struct Sights(LastStep);
 
 /// Whether a landmark was looked for in this step.
 fn looked(step: &StepReport) -> bool {
@@ -22,18 +75,7 @@ fn looked(step: &StepReport) -> bool {
 impl Sights {
     /// The last step at or before `index` in which a landmark was looked for.
     pub fn last(&mut self, run: &Run, index: usize) -> Option<usize> {
-        let steps = run.steps.get(..=index)?;
-        let known = self.seen.filter(|(length, _, found)| {
-            *length <= run.steps.len() && found.is_none_or(|f| run.steps.get(f).is_some_and(looked))
-        });
-        let (from, before) = match known {
-            Some((_, at, found)) if at <= index => (at, found),
-            _ => (0, None),
-        };
-        let new = steps[from..].iter().rposition(looked).map(|i| from + i);
-        let found = new.or(before);
-        self.seen = Some((run.steps.len(), index, found));
-        found
+        self.0.at(run, index, looked)
     }
 
     /// The first step after `index` in which a landmark is looked for, unless it is far off.
@@ -71,6 +113,39 @@ mod tests {
             step.frame = None;
         }
         assert_eq!(sights.last(&other, end), None);
+    }
+
+    #[test]
+    fn a_run_without_landmarks_is_not_taken_for_the_next_one() {
+        let fixture = Fixture::new();
+        let mut without = fixture.run.clone();
+        for step in &mut without.steps {
+            step.frame = None;
+            step.after.mean[0] += 1.0;
+        }
+        let end = without.steps.len() - 1;
+        let mut sights = Sights::default();
+        assert_eq!(sights.last(&without, end), None);
+        assert!(sights.last(&fixture.run, end).is_some());
+    }
+
+    #[test]
+    fn a_run_without_pictures_is_searched_once_and_not_in_every_frame() {
+        let mut run = Fixture::lasting(20.0).run;
+        for step in &mut run.steps {
+            step.frame = None;
+        }
+        let asked = std::cell::Cell::new(0);
+        let mut last = LastStep::default();
+        let end = run.steps.len() - 1;
+        for index in [end, end, end, end - 1, end - 2, end] {
+            let wanted = |step: &StepReport| {
+                asked.set(asked.get() + 1);
+                step.frame.is_some()
+            };
+            assert_eq!(last.at(&run, index, wanted), None);
+        }
+        assert!(asked.get() < run.steps.len() + 10, "{}", asked.get());
     }
 
     #[test]

@@ -8,8 +8,9 @@ mod sightings;
 
 use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
 use pilotage_core::flight::Frame;
-use pilotage_core::navigator::{FrameReport, Run, SightingReport};
+use pilotage_core::navigator::{FrameReport, Run, SightingReport, StepReport};
 
+use super::sights::LastStep;
 use super::{parts, picking, sighted};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
@@ -29,6 +30,7 @@ pub struct CameraView {
     /// Shift of the picture's centre from the middle of the view, in points at zoom 1.
     shift: Vec2,
     drawn: Option<DrawnTimes>,
+    reports: LastStep,
 }
 
 impl Default for CameraView {
@@ -38,6 +40,7 @@ impl Default for CameraView {
             zoom: 1.0,
             shift: Vec2::ZERO,
             drawn: None,
+            reports: LastStep::default(),
         }
     }
 }
@@ -96,6 +99,19 @@ impl CameraView {
         self.cache.trouble()
     }
 
+    /// The report on picture `index`, if it is the last one of the run at or before `time`, with the run and its step.
+    fn report<'a>(
+        &mut self,
+        run: &'a Run,
+        index: usize,
+        time: f64,
+    ) -> Option<(&'a Run, &'a StepReport, &'a FrameReport)> {
+        let is_picture = |step: &StepReport| step.frame.is_some();
+        let step = &run.steps[self.reports.at(run, run.index_at(time)?, is_picture)?];
+        let report = step.frame.as_ref().filter(|it| it.index == index)?;
+        Some((run, step, report))
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
@@ -130,12 +146,9 @@ impl CameraView {
         } else {
             flight.frames[index].time
         };
-        let report = context
-            .run
-            .and_then(|run| Some((run, picking::frame_at(run, time)?)))
-            .filter(|(_, (_, report))| report.index == index);
-        let seen = report.map_or(&[][..], |(_, (step, _))| &step.sightings);
-        let report = report.map(|(run, (_, report))| (run, report));
+        let report = context.run.and_then(|run| self.report(run, index, time));
+        let seen = report.map_or(&[][..], |(_, step, _)| &step.sightings);
+        let report = report.map(|(run, _, report)| (run, report));
 
         let outer = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(outer, Sense::click_and_drag());

@@ -75,7 +75,8 @@ fn a_click_on_a_found_landmark_selects_it() {
     let rect = harness.get_by_label_contains("Camera picture").rect();
     let (place, pixel) = {
         let state = harness.state();
-        let frame = picking::frame_at(&state.fixture.run, time).unwrap().1;
+        let step = state.fixture.run.frame_step_at(time).unwrap();
+        let frame = step.frame.as_ref().unwrap();
         let candidate = frame.accepted().next().unwrap();
         let size = vec2(640.0, 480.0);
         (

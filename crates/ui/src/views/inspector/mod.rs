@@ -12,6 +12,7 @@ use pilotage_core::navigator::{FrameReport, JointReport, Run, StepReport};
 
 use super::parts::{self, NumberReadout, figures};
 use super::picking;
+use super::sights::LastStep;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::units::clock;
 
@@ -22,6 +23,8 @@ pub struct InspectorView {
     /// Show the step at the cursor itself rather than the last one with a picture.
     this_step: bool,
     drawn: Option<DrawnTimes>,
+    pictures: LastStep,
+    corrections: LastStep,
 }
 
 impl InspectorView {
@@ -45,7 +48,7 @@ impl InspectorView {
             );
             return;
         };
-        let last_frame = run.steps[..=index].iter().rposition(|s| s.frame.is_some());
+        let last_frame = self.pictures.at(run, index, |s| s.frame.is_some());
         ScrollArea::vertical()
             .id_salt("inspector")
             .auto_shrink(false)
@@ -111,7 +114,8 @@ impl InspectorView {
         let tokens = context.tokens;
         self.drawn = context.drawn(step.time);
         ui.add_space(0.5 * tokens.space);
-        let text = sentence::sentence(run, index, context.flight, context.units);
+        let last = self.corrections.at(run, index, StepReport::is_placed);
+        let text = sentence::sentence(run, (index, last), context.flight, context.units);
         ui.label(
             RichText::new(text)
                 .size(tokens.text_sizes[1])

@@ -19,12 +19,17 @@ use crate::units::Units;
 /// Motion of the estimate that is not worth a number, metres.
 const LITTLE: f64 = 0.02;
 
-/// Summary of step `index` of the run, for people.
-pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
+/// Summary of step `index` of the run, for people; `last` is the last one up to it in which anything told the place.
+pub(crate) fn sentence(
+    run: &Run,
+    (index, last): (usize, Option<usize>),
+    flight: Option<&Flight>,
+    units: Units,
+) -> String {
     let doubts = run.steps.get(index).map_or_else(String::new, disbelieved);
     capitalised(&format!(
         "{}{doubts}",
-        what_happened(run, index, flight, units)
+        what_happened(run, (index, last), flight, units)
     ))
 }
 
@@ -50,7 +55,12 @@ fn disbelieved(step: &StepReport) -> String {
 }
 
 /// The same with whatever first letter a landmark's name has.
-fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
+fn what_happened(
+    run: &Run,
+    (index, last): (usize, Option<usize>),
+    flight: Option<&Flight>,
+    units: Units,
+) -> String {
     let Some(step) = run.steps.get(index) else {
         return "There is no step here.".to_owned();
     };
@@ -84,7 +94,7 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
     if step.placed_by().next().is_some() {
         return by_aids(step, units);
     }
-    dead_reckoning(run, index, step, units)
+    dead_reckoning(run, last, step, units)
 }
 
 /// Aids that told the place, and what that did to the estimate, in words.
@@ -104,10 +114,9 @@ fn by_aids(step: &StepReport, units: Units) -> String {
 /// reckoning.
 pub(crate) fn placed_by(run: &Run, index: usize) -> Option<String> {
     let now = run.steps.get(index)?.time;
-    let step = &run.steps[picking::last_correction(run, index)?];
-    if now - step.time > DEAD_RECKONING_AFTER {
-        return None;
-    }
+    let before = run.steps[..=index].iter().rev();
+    let mut recent = before.take_while(|step| now - step.time <= DEAD_RECKONING_AFTER);
+    let step = recent.find(|step| step.is_placed())?;
     let frame = step.frame.as_ref().filter(|frame| frame.joint.is_some());
     let of_frame = frame.map(|frame| match &frame.laid {
         Some(laid) if laid.is_believed() => "the whole picture",
@@ -261,9 +270,8 @@ fn refusals(run: &Run, frame: &FrameReport) -> String {
 }
 
 /// Time without a landmark, and growth of the uncertainty meanwhile, in words.
-fn dead_reckoning(run: &Run, index: usize, step: &StepReport, units: Units) -> String {
+fn dead_reckoning(run: &Run, last: Option<usize>, step: &StepReport, units: Units) -> String {
     let (factor, unit) = units.length();
-    let last = picking::last_correction(run, index);
     let since_index = last.unwrap_or(0);
     let since = run.steps[since_index].time;
     let elapsed = step.time - since;
@@ -394,7 +402,8 @@ mod tests {
     #[test]
     fn the_place_is_told_by_what_told_it_last_and_by_nothing_after_a_while() {
         let mut fixture = Fixture::lasting(15.0);
-        let last = picking::last_correction(&fixture.run, fixture.run.steps.len() - 1).unwrap();
+        let last = fixture.run.steps.iter().rposition(StepReport::is_placed);
+        let last = last.unwrap();
         let told = |fixture: &Fixture, index| placed_by(&fixture.run, index);
         assert_eq!(told(&fixture, last).as_deref(), Some("landmarks"));
         let alone = fixture.run.steps[last].clone();
@@ -435,8 +444,14 @@ mod tests {
         );
     }
 
+    fn told(fixture: &Fixture, index: usize, units: Units) -> String {
+        let steps = &fixture.run.steps[..=index];
+        let last = steps.iter().rposition(StepReport::is_placed);
+        sentence(&fixture.run, (index, last), Some(&fixture.flight), units)
+    }
+
     fn of(fixture: &Fixture, index: usize) -> String {
-        sentence(&fixture.run, index, Some(&fixture.flight), Units::Metric)
+        told(fixture, index, Units::Metric)
     }
 
     fn first_correction(run: &Run) -> usize {
@@ -474,7 +489,7 @@ mod tests {
         assert!(of(&fixture, index).contains("found 10 cm from"));
         let frame = fixture.run.steps[index].frame.as_mut().unwrap();
         frame.candidates[0].measured_pixel = Some(predicted + Vector2::new(pixels, 0.0));
-        let feet = sentence(&fixture.run, index, Some(&fixture.flight), Units::Aviation);
+        let feet = told(&fixture, index, Units::Aviation);
         assert!(feet.contains("found 33 ft from"), "{feet}");
     }
 

@@ -7,7 +7,7 @@ mod pictures;
 use egui::{RichText, ScrollArea, Ui};
 use pilotage_core::navigator::{CandidateReport, Outcome, Refusal, Run, StepReport};
 
-use super::sights::Sights;
+use super::sights::{LastStep, Sights};
 use super::{parts, picking, sighted};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
@@ -23,6 +23,7 @@ pub struct MatchView {
     wanted: Option<(f64, u32)>,
     textures: MatchTextures,
     sights: Sights,
+    frames: LastStep,
     drawn: Option<DrawnTimes>,
 }
 
@@ -67,6 +68,7 @@ impl MatchView {
         else {
             return;
         };
+        let newest = self.frames.at(run, index, |s| s.frame.is_some());
         self.drawn = context.drawn(step.time);
         self.wanted = Some((step.time, candidate.landmark));
         let ask = MatchCommand {
@@ -80,8 +82,7 @@ impl MatchView {
             .id_salt("match")
             .auto_shrink(false)
             .show(ui, |ui| {
-                let newest = run.frame_step_at(context.time);
-                if newest.is_some_and(|newest| newest.time > step.time) {
+                if newest.is_some_and(|newest| run.steps[newest].time > step.time) {
                     past(ui, context, step, next);
                 }
                 selector(ui, context, run, frame.candidates.as_slice(), candidate);
