@@ -3,6 +3,7 @@
 use egui::{Align2, Color32, Sense, Shape, Stroke, Ui, vec2};
 
 use super::results::ResultRow;
+use crate::still::Still;
 use crate::tokens::Tokens;
 use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, parts};
@@ -13,9 +14,18 @@ const HEIGHT: f32 = 140.0;
 /// A curve of the chart: errors (metres) at times (seconds).
 pub(super) struct ErrorCurve<'a> {
     pub errors: &'a [(f64, f64)],
+    /// Greatest of them.
+    pub greatest: f64,
     pub colour: Color32,
     pub dash: Option<(f32, f32)>,
 }
+
+/// Drawing of the curves, which stands still while the time cursor moves.
+#[derive(Default)]
+pub(super) struct DrawnCurves(Still<CurvesKey>);
+
+/// Everything on which the drawing depends: number of the comparisons, axes, and looks.
+type CurvesKey = (u64, ChartAxes, Vec<(Color32, Option<(f32, f32)>)>);
 
 /// The curves of the rows that could be compared.
 pub(super) fn curves<'a>(
@@ -27,6 +37,7 @@ pub(super) fn curves<'a>(
         let (colour, dash) = look(row);
         Some(ErrorCurve {
             errors: &found.absolute,
+            greatest: found.absolute_statistics.greatest,
             colour,
             dash,
         })
@@ -34,11 +45,13 @@ pub(super) fn curves<'a>(
     rows.iter().filter_map(curve).collect()
 }
 
-/// Draws the chart, with the time cursor and the zero of `clock` if they are of its time; the time under a click.
+/// Draws the chart, with the time cursor and the zero of `clock` if they are of its time; the time under a click. The
+/// comparisons were `made` so many times.
 pub(super) fn error_chart(
     ui: &mut Ui,
     tokens: &Tokens,
     curves: &[ErrorCurve<'_>],
+    (drawn, made): (&mut DrawnCurves, u64),
     (factor, unit): (f64, &str),
     clock: Option<(f64, f64)>,
 ) -> Option<f64> {
@@ -56,10 +69,7 @@ pub(super) fn error_chart(
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), e| {
             (a.min(e.0), b.max(e.0))
         });
-    let greatest = curves
-        .iter()
-        .flat_map(|c| c.errors.iter().map(|e| e.1))
-        .fold(0.0, f64::max);
+    let greatest = curves.iter().map(|c| c.greatest).fold(0.0, f64::max);
     let mut rect = TimeAxis::curves_rect(outer, tokens);
     rect.set_height(HEIGHT);
     let painter = ui.painter_at(outer);
@@ -85,16 +95,18 @@ pub(super) fn error_chart(
     axes.draw_y(&painter, tokens);
     axes.draw_time(&painter, tokens, clock.map_or(first, |(_, zero)| zero));
     let inside = painter.with_clip_rect(rect);
-    for curve in curves {
-        let points = thinned(curve.errors, &axes, factor);
-        let stroke = Stroke::new(1.5, curve.colour);
-        match curve.dash {
-            Some((dash, gap)) => inside.extend(Shape::dashed_line(&points, stroke, dash, gap)),
-            None => {
-                inside.add(Shape::line(points, stroke));
+    let looks = curves.iter().map(|curve| (curve.colour, curve.dash));
+    let key = (made, axes, looks.collect());
+    drawn.0.paint(&inside, key, |shapes| {
+        for curve in curves {
+            let points = thinned(curve.errors, &axes, factor);
+            let stroke = Stroke::new(1.5, curve.colour);
+            match curve.dash {
+                Some((dash, gap)) => shapes.extend(Shape::dashed_line(&points, stroke, dash, gap)),
+                None => shapes.push(Shape::line(points, stroke)),
             }
         }
-    }
+    });
     if let Some((cursor, _)) = clock {
         let x = axes.screen_x(cursor);
         inside.vline(x, rect.y_range(), Stroke::new(1.0, tokens.accent));
@@ -124,6 +136,40 @@ fn thinned(errors: &[(f64, f64)], axes: &ChartAxes, factor: f64) -> Vec<egui::Po
 mod tests {
     use super::*;
     use egui::{Rect, pos2};
+
+    #[test]
+    fn the_curves_are_gone_through_once_and_not_in_every_frame() {
+        let errors: Vec<(f64, f64)> = (0..1000).map(|i| (f64::from(i), 2.0)).collect();
+        let others: Vec<(f64, f64)> = (0..1000).map(|i| (f64::from(i), 1.0)).collect();
+        let context = egui::Context::default();
+        let mut drawn = DrawnCurves::default();
+        let mut curve = |errors: &[(f64, f64)], made| {
+            let curves = [ErrorCurve {
+                errors,
+                greatest: 2.0,
+                colour: Color32::RED,
+                dash: None,
+            }];
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                let tokens = Tokens::dark();
+                error_chart(ui, &tokens, &curves, (&mut drawn, made), (1.0, "m"), None);
+            });
+            output.textures_delta.clear();
+            let corners = context.tessellate(output.shapes, 1.0).into_iter();
+            let of_one = |it: egui::ClippedPrimitive| match it.primitive {
+                egui::epaint::Primitive::Mesh(mesh) => mesh.vertices,
+                egui::epaint::Primitive::Callback(_) => Vec::new(),
+            };
+            let red = |corner: &egui::epaint::Vertex| corner.color == Color32::RED;
+            let places = corners.flat_map(of_one).filter(red).map(|it| it.pos);
+            places.collect::<Vec<_>>()
+        };
+        let first = curve(&errors, 1);
+        assert!(!first.is_empty());
+        // The comparisons are those of before: nobody looks at the errors.
+        assert_eq!(curve(&others, 1), first);
+        assert_ne!(curve(&others, 2), first);
+    }
 
     #[test]
     fn a_brief_jump_is_not_thinned_away() {

@@ -6,7 +6,7 @@ use pilotage_core::flight::trajectory::{
     TrajectoryComparison,
 };
 
-use super::chart::{curves, error_chart};
+use super::chart::{DrawnCurves, curves, error_chart};
 use super::command::{CompareCommand, TrackId};
 use super::results::{CompareScene, ResultRow, Results};
 use crate::command::Command;
@@ -36,6 +36,7 @@ pub struct CompareView {
     settings: ComparisonSettings,
     reference: TrackId,
     results: Results,
+    drawn: DrawnCurves,
 }
 
 impl Default for CompareView {
@@ -44,6 +45,7 @@ impl Default for CompareView {
             settings: ComparisonSettings::default(),
             reference: TrackId::Truth,
             results: Results::default(),
+            drawn: DrawnCurves::default(),
         }
     }
 }
@@ -130,7 +132,8 @@ impl CompareView {
         let clock = is_open.then_some((context.time, context.clock_zero));
         let title = RichText::new("Distance from the reference, over its time");
         ui.label(title.size(tokens.text_sizes[0]).color(tokens.muted));
-        let clicked = error_chart(ui, tokens, &curves, context.units.length(), clock);
+        let drawn = (&mut self.drawn, self.results.made);
+        let clicked = error_chart(ui, tokens, &curves, drawn, context.units.length(), clock);
         if let Some(time) = clicked.filter(|_| is_open) {
             context.commands.push(Command::SeekTo(time));
         }

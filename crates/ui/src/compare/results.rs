@@ -39,6 +39,8 @@ pub(super) struct Results {
     /// Steps that the run had when it was compared, and whether it was over.
     steps: (usize, bool),
     pub rows: Vec<ResultRow>,
+    /// Times that they were made.
+    pub made: u64,
 }
 
 /// Trajectories that are open, apart from what every view is given.
@@ -132,6 +134,7 @@ impl Results {
             comparison: (i != reference).then(|| compare(&tracks[reference].1, track, &settings)),
         };
         self.rows = tracks.iter().enumerate().map(against).collect();
+        self.made += 1;
     }
 
     /// The reference, if there is any trajectory.
