@@ -121,6 +121,23 @@ impl Units {
     }
 }
 
+/// A direction of radians in degrees from 0 on, with so many decimals: below 360 once it is rounded, too.
+///
+/// ```
+/// use pilotage_ui::units::direction;
+///
+/// assert_eq!(direction((-0.3_f64).to_radians(), 0), "0");
+/// assert_eq!(direction((359.96_f64).to_radians(), 1), "0.0");
+/// assert_eq!(direction((-90.0_f64).to_radians(), 0), "270");
+/// ```
+pub fn direction(radians: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", radians.to_degrees().rem_euclid(360.0));
+    match text.strip_prefix("360") {
+        Some(rest) => format!("0{rest}"),
+        None => text,
+    }
+}
+
 /// Unit of a log as people read it.
 ///
 /// ```

@@ -14,7 +14,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::export_command::ExportCommand;
 use crate::feature_command::FeatureCommand;
-use crate::units::clock;
+use crate::units::{clock, direction};
 use crate::views::parts::{self, NumberReadout};
 
 /// Messages shown before the rest is folded.
@@ -170,12 +170,9 @@ fn facts(
         );
     }
     if let Some(fit) = &overview.air_data {
-        let from = (-fit.wind.y)
-            .atan2(-fit.wind.x)
-            .to_degrees()
-            .rem_euclid(360.0);
+        let from = direction((-fit.wind.y).atan2(-fit.wind.x), 0);
         let strength = per_second * fit.wind.norm();
-        row("Mean wind", format!("{strength:.1} from {from:.0}°"), speed);
+        row("Mean wind", format!("{strength:.1} from {from}°"), speed);
         row("Airspeed scale", format!("{:.3}", fit.scale), "");
     }
 }

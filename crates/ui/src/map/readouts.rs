@@ -8,7 +8,7 @@ use pilotage_core::vehicle::StateComponent;
 use crate::context::ViewContext;
 use crate::documents::OpenedTerrain;
 use crate::shell::{Headline, Light, Readout, hud};
-use crate::units::with_minus;
+use crate::units::{direction, with_minus};
 
 /// Stretch of time whose course is drawn, seconds.
 const COURSE: f64 = 60.0;
@@ -100,14 +100,14 @@ fn readouts(
         ))
     });
     if let Some((north, east)) = wind {
-        let from = (-east).atan2(-north).to_degrees().rem_euclid(360.0);
+        let from = direction((-east).atan2(-north), 0);
         let strength = north.hypot(east) * speed;
         add(
             "Wind (estimated) from",
             if strength < 0.05 {
                 "0.0".to_owned()
             } else {
-                format!("{from:03.0}° {strength:.1}")
+                format!("{from:0>3}° {strength:.1}")
             },
             speed_unit,
         );

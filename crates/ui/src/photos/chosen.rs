@@ -10,6 +10,7 @@ use super::scene::{PhotosScene, send};
 use super::{PhotoAppearance, PhotosCommand as Do};
 use crate::context::ViewContext;
 use crate::shell::{heading, muted};
+use crate::units::direction;
 use crate::views::parts::{self, NumberReadout};
 use pilotage_jobs::PhotoReport;
 
@@ -121,13 +122,12 @@ fn place(
     show(&height.deviation(metres(laid.camera_deviation(2))));
     let degrees = |radians: f64| format!("{:.1}", radians.to_degrees()).replace('-', "−");
     let attitude = laid.camera.attitude;
-    let turned = attitude.yaw.rem_euclid(std::f64::consts::TAU);
     for (name, angle, part) in [
-        ("Heading", turned, 5),
-        ("Pitch", attitude.pitch, 4),
-        ("Roll", attitude.roll, 3),
+        ("Heading", direction(attitude.yaw, 1), 5),
+        ("Pitch", degrees(attitude.pitch), 4),
+        ("Roll", degrees(attitude.roll), 3),
     ] {
-        let reading = NumberReadout::new(name, degrees(angle), "°");
+        let reading = NumberReadout::new(name, angle, "°");
         show(&reading.deviation(degrees(laid.camera_deviation(part))));
     }
 }

@@ -10,7 +10,7 @@ use super::state::PhotosState;
 use crate::context::ViewContext;
 use crate::shell::muted;
 use crate::tokens::Tokens;
-use crate::units::Units;
+use crate::units::{Units, direction};
 use crate::views::{parts, table};
 use pilotage_jobs::PhotoReport;
 
@@ -68,7 +68,7 @@ fn cells(report: Option<&PhotoReport>, units: Units) -> [String; 4] {
 
 /// A heading, clockwise from north.
 fn heading(radians: f64) -> String {
-    format!("{:.0}°", radians.to_degrees().rem_euclid(360.0))
+    format!("{}°", direction(radians, 0))
 }
 
 fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, number: usize) {

@@ -9,6 +9,7 @@ use super::patterns::{CoveredGround, PassCircumstances, Pattern};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{caption, counted, icon_button, icons::Icon, muted};
+use crate::units::direction;
 
 /// Draws what a pattern is made of.
 pub fn pattern_card(
@@ -46,7 +47,7 @@ pub fn pattern_card(
                     DragValue::new(&mut course)
                         .speed(1.0)
                         .custom_formatter(move |value, _| match stated {
-                            Some(_) => format!("{:03.0}°", value.rem_euclid(360.0)),
+                            Some(_) => format!("{:0>3}°", direction(value.to_radians(), 0)),
                             None => "fewest passes".to_owned(),
                         });
                 let field = ui.add(field).accessible_name("Course of the passes");

@@ -22,7 +22,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{at_right, caption, heading, icon_button, icon_toggle, icons::Icon, muted};
-use crate::units::Units;
+use crate::units::{Units, direction};
 use pilotage_core::plan::{MOST_CIRCLES, circles_at, cruise};
 use pilotage_jobs::FlightSource;
 
@@ -313,8 +313,8 @@ pub fn wind_words(planner: &Planner, documents: &Documents, units: Units) -> Str
     };
     let (factor, unit) = units.speed();
     format!(
-        "Wind from {:03.0}° with {:.1} {unit}.",
-        wind.from.to_degrees().rem_euclid(360.0),
+        "Wind from {:0>3}° with {:.1} {unit}.",
+        direction(wind.from, 0),
         wind.speed * factor
     )
 }

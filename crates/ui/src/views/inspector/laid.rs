@@ -59,7 +59,13 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
         ("pitch", attitude.pitch, 4),
         ("heading", attitude.yaw.rem_euclid(std::f64::consts::TAU), 5),
     ] {
-        let reading = NumberReadout::new(name, parts::brief(degrees * value), "°");
+        let value = parts::brief(degrees * value);
+        let value = if value == "360" {
+            "0".to_owned()
+        } else {
+            value
+        };
+        let reading = NumberReadout::new(name, value, "°");
         parts::reading(
             ui,
             tokens,
