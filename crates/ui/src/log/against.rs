@@ -26,7 +26,7 @@ const REACH: f32 = 16.0;
 #[derive(Default)]
 pub(super) struct AgainstPlot {
     cloud: PixelCloud,
-    drawn: Still<(CloudKey, bool)>,
+    drawn: Still<CloudKey>,
 }
 
 /// Scene of a plot against a field.
@@ -144,14 +144,14 @@ impl AgainstPlot {
             span,
             fields,
             joined: scene.joined,
+            is_dark: tokens.dark,
         };
         let count: usize = pairs
             .iter()
             .map(|(_, pairs)| pairs.within(span).len())
             .sum();
         if count <= MOST_DRAWN {
-            let dark = tokens.dark;
-            self.drawn.paint(painter, (key, dark), |shapes| {
+            self.drawn.paint(painter, key, |shapes| {
                 for (i, pairs) in pairs {
                     draw(shapes, pairs, &axes, span, scene.joined, colour(tokens, *i));
                 }

@@ -23,6 +23,7 @@ pub(super) struct CloudKey {
     pub span: (f64, f64),
     pub fields: Vec<pilotage_jobs::SeriesName>,
     pub joined: bool,
+    pub is_dark: bool,
 }
 
 /// Order of the points: all of them in order, or scattered ones in rounds, each twice as dense.
@@ -223,6 +224,7 @@ mod tests {
             },
             span: (0.0, 1e9),
             fields: Vec::new(),
+            is_dark: true,
             joined,
         }
     }
@@ -265,6 +267,28 @@ mod tests {
         let runs = cloud.runs(0);
         assert!(runs.contains(&(pos2(47.0, 24.0), 2.0)), "{runs:?}");
         assert!(runs.contains(&(pos2(10.0, 59.0), 100.0)), "{runs:?}");
+    }
+
+    #[test]
+    fn points_are_drawn_anew_in_the_colours_of_another_theme() {
+        let x = field((0..4).map(|i| (f64::from(i), f64::from(i))));
+        let pairs = [Pairs { x: &x, y: &x }];
+        let mut cloud = PixelCloud::default();
+        let context = egui::Context::default();
+        let mut is_drawn = |is_dark: bool| {
+            let key = CloudKey {
+                is_dark,
+                ..key(false)
+            };
+            cloud.follow(&key, &pairs);
+            let is_kept = cloud.texture.is_some();
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                cloud.paint(ui.painter(), &[Color32::RED]);
+            });
+            output.textures_delta.clear();
+            is_kept
+        };
+        assert_eq!([true, true, false].map(&mut is_drawn), [false, true, false]);
     }
 
     #[test]

@@ -205,6 +205,7 @@ impl PlotScene<'_> {
                     span: self.span,
                     fields: panel.fields.clone(),
                     joined: panel.joined,
+                    is_dark: tokens.dark,
                 };
                 let only: Vec<_> = pairs.iter().map(|(_, pairs)| *pairs).collect();
                 let mut cloud = PixelCloud::default();
