@@ -4,6 +4,7 @@ use egui::{Align2, Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 use pilotage_core::flight::Truth;
 use pilotage_core::frames::GroundPoint;
 
+use super::words::figure;
 use super::{PlottedSeries, series_name};
 use crate::map::ScreenFromWorld;
 use crate::tokens::Tokens;
@@ -101,7 +102,7 @@ impl ColouredTrack<'_> {
             (bar.left(), Align2::LEFT_TOP, low),
             (bar.right(), Align2::RIGHT_TOP, high),
         ] {
-            let text = parts::brief(value);
+            let text = figure(value);
             painter.text(
                 pos2(x, below),
                 anchor,

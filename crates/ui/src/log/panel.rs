@@ -7,7 +7,7 @@ use super::against::{AgainstPlot, AgainstScene};
 use super::against_menu::AgainstMenu;
 use super::arrangement::PanelContent;
 use super::scene::{PanelScene, axes, colour, curve, nothing, y_range};
-use super::words::series_name;
+use super::words::{figure, series_name};
 use super::{LogCommand, PlottedSeries};
 use crate::context::ViewContext;
 use crate::still::Still;
@@ -168,7 +168,7 @@ impl LogPanel {
                     let unit = series.map_or("", |s| &s.unit);
                     let name = series_name(field);
                     // A dash for a value that there is not would read as the sign of one.
-                    let words = match value.map(parts::brief) {
+                    let words = match value.map(figure) {
                         Some(value) => format!("{name}  {value} {unit}"),
                         None if unit.is_empty() => name.clone(),
                         None => format!("{name}, {unit}"),

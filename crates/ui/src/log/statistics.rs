@@ -5,7 +5,7 @@ use pilotage_core::flight::SpanStatistics;
 
 use super::figures::FieldFigures;
 use super::scene::colour as field_colour;
-use super::words::series_name;
+use super::words::{figure, series_name};
 use super::{LogCommand, LogPlots, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -242,44 +242,5 @@ fn cell(row: &StatisticRow, known: Option<&FieldFigures>) -> String {
             Some(count) if row.unit == "-" => format!("{count:.0}"),
             Some(value) => format!("{}{}", figure(value), row.unit),
         },
-    }
-}
-
-/// A number with six significant digits, in powers of ten where it is very large or small.
-fn figure(value: f64) -> String {
-    let size = value.abs();
-    let text = if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-4..1e7).contains(&size) {
-        format!("{value:.4e}")
-    } else {
-        let decimals = (5 - size.log10().floor() as i32).clamp(0, 7) as usize;
-        let text = format!("{value:.decimals$}");
-        if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        }
-    };
-    text.replace('-', "−")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn figures_have_six_digits_and_no_idle_zeros() {
-        for (value, text) in [
-            (0.0, "0"),
-            (2.0, "2"),
-            (-0.123_456_789, "−0.123457"),
-            (1_234.567_89, "1234.57"),
-            (123_456_789.0, "1.2346e8"),
-            (0.000_012, "1.2000e−5"),
-            (359.5, "359.5"),
-        ] {
-            assert_eq!(figure(value), text);
-        }
     }
 }

@@ -23,6 +23,27 @@ pub fn size(bytes: u64) -> String {
     }
 }
 
+/// A number with six significant digits, in powers of ten where it is very large or small.
+pub fn figure(value: f64) -> String {
+    let size = value.abs();
+    let text = if !value.is_finite() {
+        "–".to_owned()
+    } else if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e7).contains(&size) {
+        format!("{value:.4e}")
+    } else {
+        let decimals = (5 - size.log10().floor() as i32).clamp(0, 7) as usize;
+        let text = format!("{value:.decimals$}");
+        if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            text
+        }
+    };
+    text.replace('-', "−")
+}
+
 /// A field as people write it: `ATT.Roll`; a role by its name, an expression as it was written.
 pub fn series_name(series: &SeriesName) -> String {
     if series.topic == SeriesName::role_topic() || series.is_expression() {
@@ -57,5 +78,22 @@ mod tests {
         assert_eq!(duration(59.6), "1 min 0 s");
         assert_eq!(duration(12.2), "12 s");
         assert_eq!(size(4_050_000), "4.0 MB");
+    }
+
+    #[test]
+    fn figures_have_six_digits_and_no_idle_zeros() {
+        for (value, text) in [
+            (0.0, "0"),
+            (2.0, "2"),
+            (-0.123_456_789, "−0.123457"),
+            (1_234.567_89, "1234.57"),
+            (123_456_789.0, "1.2346e8"),
+            (0.000_012, "1.2000e−5"),
+            (359.5, "359.5"),
+            (47.397_742, "47.3977"),
+            (f64::NAN, "–"),
+        ] {
+            assert_eq!(figure(value), text);
+        }
     }
 }
