@@ -151,8 +151,8 @@ fn facts(
     let airborne: f64 = overview.airborne.iter().map(|(a, b)| b - a).sum();
     if airborne > 0.0 {
         row("In the air", duration(airborne), "");
-        let kilometres = 1e-3 * overview.distance;
-        row("Distance over ground", format!("{kilometres:.2}"), "km");
+        let distance = context.units.way(overview.distance);
+        row("Distance over ground", distance, "");
     } else {
         row("In the air", "never".to_owned(), "");
     }
@@ -174,6 +174,16 @@ fn facts(
         let strength = per_second * fit.wind.norm();
         row("Mean wind", format!("{strength:.1} from {from}°"), speed);
         row("Airspeed scale", format!("{:.3}", fit.scale), "");
+    }
+}
+
+/// The rate of a sensor in words, from its number of samples and their rate (hertz).
+fn rate_words(samples: usize, rate: f64) -> String {
+    match samples {
+        0 => "never".to_owned(),
+        1 => "once".to_owned(),
+        _ if rate >= 9.95 => format!("{rate:.0} Hz"),
+        _ => format!("{rate:.1} Hz"),
     }
 }
 
@@ -272,13 +282,7 @@ fn sensors(ui: &mut Ui, context: &ViewContext<'_>, sensors: &[Sensor]) {
                     };
                     ui.label(small(sensor.role.label().to_owned()).color(color));
                     ui.label(small(sensor.source.clone()).color(tokens.muted));
-                    let rate = if sensor.samples < 2 {
-                        "once".to_owned()
-                    } else if sensor.rate >= 9.95 {
-                        format!("{:.0} Hz", sensor.rate)
-                    } else {
-                        format!("{:.1} Hz", sensor.rate)
-                    };
+                    let rate = rate_words(sensor.samples, sensor.rate);
                     ui.label(small(rate).color(tokens.text));
                     ui.end_row();
                 }
@@ -351,6 +355,13 @@ fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &LogOutline) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_sensor_without_samples_was_never_read() {
+        let words =
+            [(0, 0.0), (1, 0.0), (9, 4.96), (900, 49.7)].map(|(n, rate)| rate_words(n, rate));
+        assert_eq!(words, ["never", "once", "5.0 Hz", "50 Hz"]);
+    }
 
     #[test]
     fn heights_below_the_start_are_told_where_they_are_no_noise() {
