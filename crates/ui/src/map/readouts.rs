@@ -44,6 +44,15 @@ fn course(run: &Run, time: f64) -> Vec<f64> {
     axes.collect()
 }
 
+/// The time of which the course is, in words.
+fn stretch(span: Option<(f64, f64)>, time: f64) -> &'static str {
+    if span.is_some_and(|(first, _)| time - first < COURSE) {
+        "so far"
+    } else {
+        "last 60 s"
+    }
+}
+
 fn headline(context: &ViewContext<'_>, step: &StepReport, radius: f64) -> Headline<'static> {
     let (value, unit) = context.units.short_distance(radius);
     let (light, word) = light(radius, step.control.height);
@@ -59,7 +68,7 @@ fn headline(context: &ViewContext<'_>, step: &StepReport, radius: f64) -> Headli
         course: context
             .run
             .map_or_else(Vec::new, |run| course(run, step.time)),
-        stretch: "last 60 s",
+        stretch: stretch(context.run.and_then(Run::span), step.time),
     }
 }
 
@@ -146,6 +155,13 @@ pub fn paint_readouts(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_course_is_called_as_long_as_it_is() {
+        assert_eq!(COURSE, 60.0);
+        assert_eq!(stretch(Some((100.0, 400.0)), 159.0), "so far");
+        assert_eq!(stretch(Some((100.0, 400.0)), 160.0), "last 60 s");
+    }
 
     #[test]
     fn the_light_goes_with_the_share_of_the_picture() {
