@@ -131,7 +131,7 @@ impl Chart {
             4.0,
         ));
         name_stretches(&clip, scene, &at, rect);
-        header(&painter, outer, scene, near, near_unit);
+        header(&painter, outer, scene, near_unit);
         for blip in blips.iter().filter(|b| b.lane < lanes) {
             let y = rect.bottom() + 6.0 + LANE * (blip.lane as f32 + 0.5);
             paint_blip(&painter, samples, blip, bar(blip), y, &x, tokens);
@@ -246,7 +246,12 @@ fn name_stretches(
     }
 }
 
-fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, unit: &str) {
+/// The limit in words, with the digits that sentences beside the chart have.
+fn limit_words(metres: f64, units: Units) -> String {
+    format!("limit {}", units.short(metres))
+}
+
+fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, unit: &str) {
     let tokens = scene.tokens;
     let y = outer.top() + 0.5 * HEADER;
     let name = format!("error, {unit}");
@@ -254,7 +259,7 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
     let (align, font) = (Align2::LEFT_CENTER, tokens.small());
     let name = painter.text(at, align, name, font, tokens.muted);
     let mut x = name.right() + 20.0;
-    let limit = format!("limit {:.0} {unit}", scene.limit * near);
+    let limit = limit_words(scene.limit, scene.units);
     let mut entries: Vec<(&str, Color32, f32, bool)> = vec![
         ("1σ, longer axis", tokens.text, 2.0, false),
         ("95 % corridor, half width", kept_color(tokens), 1.25, false),
@@ -398,6 +403,13 @@ fn paint_cursor(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_limit_has_a_decimal_as_in_the_sentences_beside() {
+        assert_eq!(limit_words(7.3, Units::Metric), "limit 7.3 m");
+        assert_eq!(limit_words(25.0, Units::Metric), "limit 25 m");
+        assert_eq!(limit_words(7.62, Units::Aviation), "limit 25 ft");
+    }
 
     #[test]
     fn words_of_a_narrow_stretch_stand_behind_it_or_before_it_where_the_chart_ends() {
