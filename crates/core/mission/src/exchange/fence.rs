@@ -41,7 +41,7 @@ pub(super) fn of_items(items: &[&MissionItem]) -> Fences {
     let mut fences = Gathered::default();
     let mut corners: Vec<LonLat> = Vec::new();
     for item in items {
-        let [first, .., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
+        let [first, .., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(f64::NAN));
         let place = (longitude, latitude);
         if is_fence(item.command) && !on_globe(longitude, latitude) {
             fences.broken += 1;

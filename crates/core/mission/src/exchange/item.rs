@@ -116,10 +116,13 @@ impl MissionItem {
         }
     }
 
-    /// The altitude, as parameter and frame state it; `None` where it is in no global frame.
+    /// The altitude, as parameter and frame state it; `None` where it is in no global frame, or is not stated and not that of
+    /// the ground where the aircraft lands.
     pub(super) fn altitude(&self) -> Option<Altitude> {
         let frame = frame_of_number(self.frame)?;
-        Some(Altitude::new(self.parameters[6].unwrap_or(0.0), frame))
+        let is_landing = self.action() == Some(WayPointAction::Land);
+        let metres = self.parameters[6].or(is_landing.then_some(0.0))?;
+        Some(Altitude::new(metres, frame))
     }
 
     /// Action at the place of the command; `None` if it leads to no place.

@@ -12,7 +12,8 @@ use serde_json::Value;
 use super::complex::{self, COMPLEX, Complex};
 use super::fence::is_fence;
 use super::item::{
-    CHANGE_SPEED, JUMP, MissionItem, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
+    CHANGE_SPEED, JUMP, MissionItem, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of,
+    counted, frame_of_number,
 };
 use super::speed_command::is_usual_speed;
 use crate::mission::found::{LonLat, ReadRoute, on_globe};
@@ -35,6 +36,8 @@ pub(super) const SPEED_PLACE: &str = "\"speed\"";
 pub(super) const SPEED_MEMBER: &str = "speed";
 /// Property of a way-point: its command states no place, because the place is that of home.
 pub(super) const AT_HOME: &str = "mavlink_at_home";
+/// Property of a way-point: its command states no altitude, because that of the way-point before is meant.
+pub(super) const SAME_ALTITUDE: &str = "mavlink_same_altitude";
 /// Prefix of properties that are unknown members of a plan's command.
 pub(super) const MEMBER: &str = "plan:";
 
@@ -109,6 +112,8 @@ struct ItemReader {
     at_home: usize,
     homeless: usize,
     placeless: Vec<String>,
+    incomplete: Vec<String>,
+    same_altitudes: usize,
 }
 
 impl ItemReader {
@@ -160,7 +165,9 @@ impl ItemReader {
             self.between.push(Between::Speed(item, text));
             return;
         }
-        let altitude = item.altitude().map(|own| altitude.unwrap_or(own));
+        let stated = altitude.or_else(|| item.altitude());
+        let before = self.route.way_points.last().map(|(_, w)| w.altitude);
+        let altitude = frame_of_number(item.frame).and_then(|_| stated.or(before));
         let place = Self::place(&item, home);
         let (Some(action), Some(altitude), Some(place)) = (item.action(), altitude, place) else {
             match item.command {
@@ -175,6 +182,9 @@ impl ItemReader {
                 _ if is_take_off(&item) && states_no_place(&item) => self.homeless += 1,
                 command if item.action().is_some() && states_no_place(&item) => {
                     self.placeless.push(command_name(command));
+                }
+                command if item.action().is_some() && lacks_a_number(&item) => {
+                    self.incomplete.push(command_name(command));
                 }
                 command => self.unknown.push(command_name(command)),
             }
@@ -205,6 +215,11 @@ impl ItemReader {
             );
             way_point.properties.insert(OWN.to_owned(), own);
         }
+        if stated.is_none() {
+            self.same_altitudes += 1;
+            let mark = "true".to_owned();
+            way_point.properties.insert(SAME_ALTITUDE.to_owned(), mark);
+        }
         if states_no_place(&item) {
             self.at_home += 1;
             let mark = "true".to_owned();
@@ -231,7 +246,8 @@ impl ItemReader {
             let home = home.filter(|_| is_take_off(item));
             return home.map(|[latitude, longitude, _]| (longitude, latitude));
         }
-        let [.., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
+        let [.., latitude, longitude, _] = item.parameters;
+        let (latitude, longitude) = (latitude?, longitude?);
         on_globe(longitude, latitude).then_some((longitude, latitude))
     }
 
@@ -364,6 +380,18 @@ impl ItemReader {
                 counted(&self.placeless)
             ));
         }
+        if !self.incomplete.is_empty() {
+            notes.push(format!(
+                "kept, and not shown, because a latitude, longitude or altitude is missing: {}",
+                counted(&self.incomplete)
+            ));
+        }
+        if self.same_altitudes > 0 {
+            notes.push(format!(
+                "{} × way-point states no altitude: that of the way-point before is taken",
+                self.same_altitudes
+            ));
+        }
         if self.ground_speeds > 0 {
             notes.push(format!(
                 "{} of the speeds are over ground; the prediction takes them for airspeeds",
@@ -383,6 +411,11 @@ impl ItemReader {
 fn states_no_place(item: &MissionItem) -> bool {
     let [.., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
     (latitude, longitude) == (0.0, 0.0)
+}
+
+/// Whether one of the numbers of its place is missing.
+fn lacks_a_number(item: &MissionItem) -> bool {
+    item.parameters[4..].iter().any(Option::is_none)
 }
 
 fn is_take_off(item: &MissionItem) -> bool {

@@ -12,13 +12,13 @@ use super::complex;
 use super::fence;
 use super::found::GeodeticContent;
 use super::item::MissionItem;
-use super::item_route::{Home, MissionStep, route_of};
+use super::item_route::{Home, MissionStep, SAME_ALTITUDE, route_of};
 use super::plan_firmware::{self, MISSION, PlanFirmware};
 use super::route_items::{RouteStep, home_of, members, steps_of_plan};
 use super::{ExchangeError, Places, plan_terrain, rally};
 use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::way_point_file::kept;
-use crate::mission::{MissionError, Route, degrees};
+use crate::mission::{MissionError, Route, WayPoint, degrees};
 use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
 
 /// Prefix of a route's properties that are members of the plan.
@@ -341,6 +341,10 @@ fn items(route: &Route, steps: Vec<RouteStep<'_>>, frame: &LocalFrame, is_px4: b
             RouteStep::WayPoint(mut item, way_point) => {
                 let height = plan_terrain::height(way_point, frame, is_px4);
                 height.state(&mut item);
+                let keeps_altitude = keeps_altitude(route, way_point);
+                if keeps_altitude {
+                    item.parameters[6] = None;
+                }
                 let mut text = item.json(id);
                 text.truncate(text.len() - " }".len());
                 // Writing into a string cannot fail.
@@ -348,7 +352,7 @@ fn items(route: &Route, steps: Vec<RouteStep<'_>>, frame: &LocalFrame, is_px4: b
                     text,
                     ", \"AMSLAltAboveTerrain\": {}, \"Altitude\": {}, \"AltitudeMode\": {}",
                     Value::from(height.above_sea),
-                    Value::from(way_point.altitude.metres),
+                    Value::from((!keeps_altitude).then_some(way_point.altitude.metres)),
                     height.mode
                 );
                 let own = ["doJumpId", plan_terrain::COMPUTED];
@@ -364,6 +368,14 @@ fn items(route: &Route, steps: Vec<RouteStep<'_>>, frame: &LocalFrame, is_px4: b
     }
     let indent = "\n            ";
     format!("[{indent}{}\n        ]", lines.join(&format!(",{indent}")))
+}
+
+/// Whether a way-point stated no altitude in its file, and has that of the way-point before still.
+fn keeps_altitude(route: &Route, way_point: &WayPoint) -> bool {
+    let is_it = |pair: &&[WayPoint]| std::ptr::eq(&raw const pair[1], way_point);
+    way_point.properties.contains_key(SAME_ALTITUDE)
+        && (route.way_points.windows(2).find(is_it))
+            .is_some_and(|pair| pair[0].altitude == pair[1].altitude)
 }
 
 /// A kept command with its number replaced; what has none stays as it is.

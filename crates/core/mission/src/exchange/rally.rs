@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::Places;
-use super::item::{MissionItem, frame_number};
+use super::item::{MissionItem, frame_number, frame_of_number};
 use crate::mission::found::{FoundRally, LonLat, on_globe};
 use crate::mission::{RallyPoint, globe};
 use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
@@ -32,9 +32,9 @@ struct RallyRemainder {
 
 /// The rally point of a command; `None` if it is none, or has no place on the globe.
 pub(super) fn of_item(item: &MissionItem) -> Option<FoundRally> {
-    let [a, b, c, d, latitude, longitude, _] = item.parameters;
+    let [a, b, c, d, latitude, longitude, metres] = item.parameters;
     let place = (longitude?, latitude?);
-    let altitude = item.altitude()?;
+    let altitude = Altitude::new(metres.unwrap_or(0.0), frame_of_number(item.frame)?);
     if item.command != RALLY_POINT || !on_globe(place.0, place.1) {
         return None;
     }

@@ -281,7 +281,8 @@ fn home(lines: &[WaypointLine]) -> Option<&MissionItem> {
 
 /// Latitude, longitude and height of a line; `None` for the zeros of a home that was never set.
 fn stated_place(item: &MissionItem) -> Option<Home> {
-    let [.., latitude, longitude, altitude] = item.parameters.map(|p| p.unwrap_or(0.0));
+    let [.., latitude, longitude, altitude] = item.parameters;
+    let (latitude, longitude, altitude) = (latitude?, longitude?, altitude.unwrap_or(0.0));
     ((latitude, longitude) != (0.0, 0.0)).then_some([latitude, longitude, altitude])
 }
 
@@ -455,8 +456,13 @@ fn line_of(item: &MissionItem, sequence: usize, is_current: bool) -> String {
         item.command.to_string(),
     ];
     fields.extend(own.iter().map(|p| p.unwrap_or(0.0).to_string()));
-    fields.extend([latitude, longitude].map(|p| degrees(p.unwrap_or(0.0))));
-    fields.push(altitude.unwrap_or(0.0).to_string());
+    // Of a place a number that was missing stays so: a zero would lead elsewhere.
+    let leads = item.action().is_some();
+    let missing = |is_place: bool| if leads && is_place { f64::NAN } else { 0.0 };
+    let of_degrees = missing(latitude.is_some() || longitude.is_some());
+    fields.extend([latitude, longitude].map(|p| degrees(p.unwrap_or(of_degrees))));
+    let of_metres = missing(item.altitude().is_none());
+    fields.push(altitude.unwrap_or(of_metres).to_string());
     fields.push(u8::from(item.is_continued).to_string());
     fields.join("\t") + "\n"
 }

@@ -314,3 +314,70 @@ fn the_documented_plan_is_edited_and_keeps_fences_rally_points_and_the_survey() 
         [Altitude::new(50.0, AltitudeFrame::AboveTakeOff); 2]
     );
 }
+
+/// A plan of way-points, with latitude, longitude and altitude of each.
+fn plan_of(places: &[[&str; 3]]) -> String {
+    let item = |[latitude, longitude, metres]: &[&str; 3]| {
+        format!(
+            "{{ \"type\": \"SimpleItem\", \"command\": 16, \"frame\": 3, \"autoContinue\": true, \"Altitude\": {metres}, \
+             \"AltitudeMode\": 1, \"params\": [0, 0, 0, null, {latitude}, {longitude}, {metres}] }}"
+        )
+    };
+    let items: Vec<String> = places.iter().map(item).collect();
+    format!(
+        "{{ \"fileType\": \"Plan\", \"version\": 1, \"mission\": {{ \"version\": 2, \
+         \"plannedHomePosition\": [47.4, 8.5, 412.5], \"items\": [{}] }} }}",
+        items.join(", ")
+    )
+}
+
+#[test]
+fn a_way_point_without_a_latitude_is_kept_and_not_shown_at_the_equator() {
+    let text = plan_of(&[
+        ["47.41", "8.5", "50"],
+        ["null", "8.51", "50"],
+        ["47.42", "null", "50"],
+    ]);
+    let (route, notes) = read("a.plan", &text);
+    assert_eq!(route.way_points.len(), 1);
+    assert_noted(&notes, |n| n.contains("altitude is missing: 2 × "));
+    let again = plan(&route);
+    assert!(again.contains("null, null, 8.51, 50]"), "{again}");
+    assert!(again.contains("null, 47.42, null, 50]"), "{again}");
+    let lines = "QGC WPL 110\n0 1 0 16 0 0 0 0 47.4 8.5 488 1\n1 0 3 16 0 0 0 0 nan 8.5 50 1\n\
+                 2 0 3 16 0 0 0 0 47.41 8.5 50 1\n";
+    let (route, _) = read(
+        "a.waypoints",
+        &lines.replace(' ', "\t").replace("QGC\tWPL\t", "QGC WPL "),
+    );
+    assert_eq!(route.way_points.len(), 1);
+    let written = write_route(Format::Waypoints, &route, &frame()).unwrap();
+    let text = String::from_utf8(written.bytes).unwrap();
+    assert!(text.contains("\tNaN\t8.5\t50\t"), "{text}");
+}
+
+#[test]
+fn a_way_point_without_an_altitude_has_that_of_the_one_before_and_still_states_none() {
+    let text = plan_of(&[
+        ["47.40", "8.5", "null"],
+        ["47.41", "8.5", "50"],
+        ["47.42", "8.51", "null"],
+    ]);
+    let (mut route, notes) = read("a.plan", &text);
+    let altitudes: Vec<Altitude> = route.way_points.iter().map(|w| w.altitude).collect();
+    assert_eq!(
+        altitudes,
+        [Altitude::new(50.0, AltitudeFrame::AboveTakeOff); 2]
+    );
+    assert_noted(&notes, |n| {
+        n.starts_with("1 × way-point states no altitude")
+    });
+    assert_noted(&notes, |n| n.contains("altitude is missing"));
+    let again = plan(&route);
+    assert!(again.contains("null, 47.42, 8.51, null]"), "{again}");
+    assert!(again.contains("\"Altitude\": null"), "{again}");
+    // Its own altitude is stated as soon as it has one.
+    route.way_points[1].altitude.metres = 60.0;
+    let again = plan(&route);
+    assert!(again.contains("null, 47.42, 8.51, 60.0]"), "{again}");
+}
