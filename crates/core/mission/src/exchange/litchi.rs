@@ -5,7 +5,7 @@ use super::air_altitudes::altitudes_in_the_air;
 use super::csv_write::quoted;
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
-use super::litchi_actions::{ACTIONS, actions, kept};
+use super::litchi_actions::{ACTIONS, actions, in_feet, kept};
 use super::written::WrittenFile;
 use super::{ExchangeError, csv_read, fence, rally};
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
@@ -128,7 +128,11 @@ pub(super) fn write(
     if route.returns {
         notes.push("the return at the end is left out: choose it in Litchi".to_owned());
     }
-    let is_column = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
+    let is_it = |own: &str, name: &str| own.eq_ignore_ascii_case(name);
+    let is_column = |name: &str| {
+        let is_own = |own: &&str| is_it(own, name) || in_feet(own).is_some_and(|f| is_it(&f, name));
+        names.iter().any(is_own)
+    };
     let others = |w: &WayPoint| w.properties.keys().any(|name| !is_column(name));
     if route.way_points.iter().any(others) {
         notes.push("properties that are none of Litchi's columns are left out".to_owned());

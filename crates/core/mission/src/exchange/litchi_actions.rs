@@ -4,21 +4,44 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::csv_columns::Unit;
+
 /// Actions that a way-point may have.
 pub(super) const ACTIONS: usize = 15;
 /// Types of actions: none, and staying for a time in milliseconds.
 const NONE: &str = "-1";
 const STAY: &str = "0";
 
-/// Value that a table had in the column of that name.
+/// Name of the column in feet in which a table of imperial units has what another has in metres.
+pub(super) fn in_feet(name: &str) -> Option<String> {
+    Some(name.strip_suffix("(m)")?.to_owned() + "(ft)")
+}
+
+/// Value that a table had in the column of that name, in metres where its name says so.
 pub(super) fn kept(properties: &BTreeMap<String, String>, name: &str) -> Option<String> {
-    let own = properties
-        .iter()
-        .find(|(own, _)| own.eq_ignore_ascii_case(name))?;
-    match serde_json::from_str(own.1) {
-        Ok(Value::String(text)) => Some(text),
-        Ok(Value::Number(number)) => Some(number.to_string()),
-        _ => None,
+    let of = |name: &str| {
+        let mut own = properties.iter();
+        let (_, text) = own.find(|(own, _)| own.eq_ignore_ascii_case(name))?;
+        match serde_json::from_str(text) {
+            Ok(Value::String(text)) => Some(with_point(text)),
+            Ok(Value::Number(number)) => Some(number.to_string()),
+            _ => None,
+        }
+    };
+    of(name).or_else(|| {
+        let metres = Unit::Foot.factor() * of(&in_feet(name)?)?.parse::<f64>().ok()?;
+        // Below a micrometre the product has digits that nobody wrote.
+        Some(((metres * 1e6).round() / 1e6).to_string())
+    })
+}
+
+/// A number with a decimal point, which tables of other countries write with a comma.
+fn with_point(text: String) -> String {
+    let plain = text.replacen(',', ".", 1);
+    if plain.parse::<f64>().is_ok() {
+        plain
+    } else {
+        text
     }
 }
 

@@ -374,6 +374,30 @@ fn a_table_of_litchi_comes_back_as_it_was() {
 }
 
 #[test]
+fn a_table_of_litchi_in_feet_or_with_decimal_commas_keeps_its_curve_and_its_point_of_interest() {
+    let row = |table: &str| -> Vec<String> {
+        let before = read_any("roof.csv", table.as_bytes(), None).unwrap();
+        let written = write_route(Format::Litchi, &before.routes[0], &before.frame).unwrap();
+        let others = |n: &String| n.starts_with("properties");
+        assert!(!written.notes.iter().any(others), "{:?}", written.notes);
+        let text = String::from_utf8(written.bytes).unwrap();
+        let row = text.lines().nth(1).unwrap().split(',');
+        row.map(str::to_owned).collect()
+    };
+    // 30.5 ft, 3 ft and 5 ft of 0.3048 m each.
+    let feet = row(&LITCHI.replace("(m)", "(ft)"));
+    assert_eq!(
+        [&feet[2], &feet[4], &feet[42]],
+        ["9.2964", "0.9144", "1.524"]
+    );
+    let commas = LITCHI.replace(',', ";").replace('.', ",");
+    let commas = row(&commas);
+    assert_eq!(commas.len(), 46);
+    let [heading, latitude, longitude] = [&commas[3], &commas[40], &commas[41]];
+    assert_eq!([heading, latitude, longitude], ["12.5", "47.1", "8.6"]);
+}
+
+#[test]
 fn a_table_for_litchi_says_nothing_about_what_a_route_does_not_know() {
     let way_point = WayPoint::new(
         GroundPoint::new(10.0, 20.0),
