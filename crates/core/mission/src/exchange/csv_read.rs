@@ -12,7 +12,8 @@ use super::csv_table::{CsvRow, ReadCsvTable, Records};
 use super::csv_utm::in_degrees;
 use super::found::{GeodeticContent, POINT_BOX};
 use super::item::frame_of_number;
-use super::litchi_actions::litchi_stay;
+use super::item_route::{GROUND_SPEED, OVER_GROUND};
+use super::litchi_actions::{is_litchis, legs_of_speeds, litchi_stay};
 use super::see_you::{add_tasks, without_tasks};
 use super::{ExchangeError, geojson, rally};
 use crate::mission::found::{FoundLandmark, LandmarkExtent, ReadRoute};
@@ -267,6 +268,9 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
     found
         .notes
         .push("the rows are read as way-points".to_owned());
+    if table.columns.iter().any(|column| is_litchis(&column.name)) {
+        mark_speeds(&mut found);
+    }
     if assumed_frames > 0 {
         found.notes.push(format!(
             "the table does not say what altitudes count from: {} is taken",
@@ -280,6 +284,23 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
         ));
     }
     Ok(found)
+}
+
+/// Marks the speeds of Litchi's table as those over ground, and tells what is assumed of them.
+fn mark_speeds(found: &mut GeodeticContent) {
+    for route in &mut found.routes {
+        let speeds: Vec<Option<f64>> = route.way_points.iter().map(|(_, w)| w.speed).collect();
+        for (_, way_point) in &mut route.way_points {
+            if way_point.speed.is_some() {
+                let mark = Value::Bool(true).to_string();
+                way_point.properties.insert(GROUND_SPEED.to_owned(), mark);
+            }
+        }
+        if speeds.iter().any(Option::is_some) {
+            found.notes.push(OVER_GROUND.to_owned());
+        }
+        found.notes.extend(legs_of_speeds(&speeds));
+    }
 }
 
 /// Whether a column has commands of `MAVLink`.

@@ -28,6 +28,9 @@ pub(super) const FIRST: &str = "mavlink_first";
 pub(super) const OWN: &str = "mavlink";
 /// Property of a way-point: the speed of its leg is over ground.
 pub(super) const GROUND_SPEED: &str = "mavlink_ground_speed";
+/// Note on speeds of files in which all are over ground.
+pub(super) const OVER_GROUND: &str =
+    "the speeds are over ground; the prediction takes them for airspeeds";
 /// Property of a route: the return to launch at its end, as the file had it.
 pub(super) const RETURN: &str = "mavlink_return";
 /// Placeholder among kept commands for the change of speed in files of earlier versions; now its own command

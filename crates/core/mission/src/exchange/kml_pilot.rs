@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use super::item::counted;
-use super::item_route::GROUND_SPEED;
+use super::item_route::{GROUND_SPEED, OVER_GROUND};
 use super::kml_data::data_of;
 use super::kml_places::{place, tuples};
 use super::xml::{NamedText, XmlElement};
@@ -157,8 +157,7 @@ impl PilotMission {
             way_points.push((*place, way_point));
         }
         if way_points.iter().any(|(_, w)| w.speed.is_some()) {
-            let note = "the speeds are over ground; the prediction takes them for airspeeds";
-            notes.push(note.to_owned());
+            notes.push(OVER_GROUND.to_owned());
         }
         if !actions.is_empty() {
             let names = counted(&actions);

@@ -5,7 +5,8 @@ use super::air_altitudes::altitudes_in_the_air;
 use super::csv_write::quoted;
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
-use super::litchi_actions::{ACTIONS, actions, in_feet, kept};
+use super::item_route::GROUND_SPEED;
+use super::litchi_actions::{ACTIONS, actions, in_feet, kept, legs_of_speeds};
 use super::written::WrittenFile;
 use super::{ExchangeError, csv_read, fence, rally};
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
@@ -128,10 +129,13 @@ pub(super) fn write(
     if route.returns {
         notes.push("the return at the end is left out: choose it in Litchi".to_owned());
     }
+    let speeds: Vec<Option<f64>> = route.way_points.iter().map(|w| w.speed).collect();
+    notes.extend(legs_of_speeds(&speeds));
     let is_it = |own: &str, name: &str| own.eq_ignore_ascii_case(name);
     let is_column = |name: &str| {
         let is_own = |own: &&str| is_it(own, name) || in_feet(own).is_some_and(|f| is_it(&f, name));
-        names.iter().any(is_own)
+        // The table says of no speed what it counts over: all are over ground.
+        name == GROUND_SPEED || names.iter().any(is_own)
     };
     let others = |w: &WayPoint| w.properties.keys().any(|name| !is_column(name));
     if route.way_points.iter().any(others) {

@@ -45,6 +45,22 @@ fn with_point(text: String) -> String {
     }
 }
 
+/// Whether a column of that name stands in no table but Litchi's.
+pub(super) fn is_litchis(name: &str) -> bool {
+    ["actiontype1", "gimbalmode", "poi_latitude"]
+        .iter()
+        .any(|own| own.eq_ignore_ascii_case(name))
+}
+
+/// That it is not known to which leg a speed of Litchi's table belongs, where that matters: where the speeds differ.
+pub(super) fn legs_of_speeds(speeds: &[Option<f64>]) -> Option<String> {
+    (speeds.windows(2).any(|two| two[0] != two[1])).then(|| {
+        "a speed in Litchi's table is taken for that of the leg that leads to its row; DJI's own way-points have that of the leg \
+         behind them, and Litchi may fly so: check it there"
+            .to_owned()
+    })
+}
+
 /// Actions of a way-point, type and parameter of each, as its table had them.
 fn kept_actions(properties: &BTreeMap<String, String>) -> Vec<(String, String)> {
     let of = |i: usize| {

@@ -370,7 +370,28 @@ fn a_table_of_litchi_comes_back_as_it_was() {
     let before = read_any("roof.csv", LITCHI.as_bytes(), None).unwrap();
     let written = write_route(Format::Litchi, &before.routes[0], &before.frame).unwrap();
     assert_eq!(String::from_utf8(written.bytes).unwrap(), LITCHI);
-    assert_eq!(written.notes, Vec::<String>::new());
+    // To which leg the 7.5 m/s belong is not known.
+    assert_eq!(written.notes.len(), 1, "{:?}", written.notes);
+    assert_noted(&written.notes, |n| n.contains("leg that leads to its row"));
+}
+
+#[test]
+fn speeds_of_litchi_are_over_ground_and_their_legs_are_told_where_it_matters() {
+    let read = |table: &str| read_any("roof.csv", table.as_bytes(), None).unwrap();
+    let before = read(LITCHI);
+    assert_noted(&before.notes, |n| n.contains("over ground"));
+    assert_noted(&before.notes, |n| n.contains("leg that leads to its row"));
+    let text = write_route(Format::Waypoints, &before.routes[0], &before.frame).unwrap();
+    let text = String::from_utf8(text.bytes).unwrap();
+    // DO_CHANGE_SPEED, whose first parameter 1 is the speed over ground.
+    assert!(text.contains("\t178\t1\t7.5\t-1\t"), "{text}");
+    let same = read(&LITCHI.replacen(",1,0,47.1,", ",1,7.5,47.1,", 1));
+    assert_noted(&same.notes, |n| n.contains("over ground"));
+    assert!(
+        !same.notes.iter().any(|n| n.contains("its row")),
+        "{:?}",
+        same.notes
+    );
 }
 
 #[test]

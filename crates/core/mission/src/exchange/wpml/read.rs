@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::super::found::GeodeticContent;
 use super::super::item::counted;
-use super::super::item_route::GROUND_SPEED;
+use super::super::item_route::{GROUND_SPEED, OVER_GROUND};
 use super::super::xml::{NamedText, XmlElement};
 use super::super::{ExchangeError, kml_read};
 use super::folder::{Point, WaylineFolder, folders};
@@ -382,9 +382,7 @@ impl WpmlNotes {
             ));
         }
         if self.speeds > 0 {
-            notes.push(
-                "the speeds are over ground; the prediction takes them for airspeeds".to_owned(),
-            );
+            notes.push(OVER_GROUND.to_owned());
         }
         if self.by_site > 0 {
             notes.push(format!(
