@@ -4,12 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
+use super::complex::COMPLEX;
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
+use super::item_route::{FIRST, RETURN};
 use super::written::WrittenFile;
-use super::{ExchangeError, csv_read, fence, flown_text, rally};
+use super::{ExchangeError, csv_read, fence, flown_text, rally, waypoints};
 use crate::mission::way_point_file::{StatedCircles, action_word, frame_word};
-use crate::mission::{FEATURE_MEMBER, Route, WayPoint, degrees, globe};
+use crate::mission::{FEATURE_MEMBER, HOME, Route, WayPoint, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_base::text::in_quotes;
 use pilotage_vision::landmark::Landmark;
@@ -48,6 +50,7 @@ pub(super) const WORK: FormatWork = FormatWork {
         if places.routes.iter().any(|route| route.returns) {
             notes.push("the return at the end is left out: rows are way-points".to_owned());
         }
+        notes.extend(of_routes_left_out(places.routes));
         Ok(WrittenFile::of_text((text, notes)))
     },
     track: Some(TrackWork {
@@ -55,6 +58,33 @@ pub(super) const WORK: FormatWork = FormatWork {
         undated: None,
     }),
 };
+
+/// That rows of way-points have no room for what routes say beside them, if they do.
+pub(super) fn of_routes_left_out(routes: &[Route]) -> Vec<String> {
+    let first = |route: &Route| -> usize {
+        let list = route.properties.get(FIRST);
+        let list: Option<Vec<Value>> = list.and_then(|text| serde_json::from_str(text).ok());
+        list.map_or(0, |list| list.len())
+    };
+    let commands: usize = routes.iter().map(first).sum();
+    let has = |name: &str| routes.iter().any(|r| r.properties.contains_key(name));
+    let told = [FIRST, HOME, COMPLEX, RETURN, waypoints::OWN];
+    let is_more = |name: &String| !told.contains(&name.as_str());
+    let has_more = routes.iter().any(|r| r.properties.keys().any(is_more));
+    let mut notes = Vec::new();
+    let mut tell = |is_there: bool, what: String| {
+        notes.extend(is_there.then(|| format!("{what} left out: rows are way-points")));
+    };
+    tell(has(HOME), "the home position is".to_owned());
+    let before = format!("{commands} × command before the first way-point is");
+    tell(commands > 0, before);
+    tell(
+        has(COMPLEX),
+        "the item of a survey or the like is".to_owned(),
+    );
+    tell(has_more, "other properties of the route are".to_owned());
+    notes
+}
 
 /// Way-points of routes, one a row.
 pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {

@@ -2,7 +2,7 @@
 //! read, or say nothing.
 
 use super::air_altitudes::altitudes_in_the_air;
-use super::csv_write::quoted;
+use super::csv_write::{of_routes_left_out, quoted};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::item_route::GROUND_SPEED;
@@ -129,6 +129,7 @@ pub(super) fn write(
     if route.returns {
         notes.push("the return at the end is left out: choose it in Litchi".to_owned());
     }
+    notes.extend(of_routes_left_out(std::slice::from_ref(route)));
     let speeds: Vec<Option<f64>> = route.way_points.iter().map(|w| w.speed).collect();
     notes.extend(legs_of_speeds(&speeds));
     let is_it = |own: &str, name: &str| own.eq_ignore_ascii_case(name);

@@ -51,7 +51,7 @@ const VERSION: &str = "110";
 /// Versions that are read; they differ in nothing but their number.
 const VERSIONS: [&str; 2] = [VERSION, "120"];
 /// Property of a route: what only such a file says of it.
-const OWN: &str = "wpl";
+pub(super) const OWN: &str = "wpl";
 
 /// A line of the file.
 struct WaypointLine {

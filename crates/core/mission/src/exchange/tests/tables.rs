@@ -1,7 +1,7 @@
 //! Tables of places as other programs write them: places in one cell, geometries, parts of angles, frames as numbers.
 
 use super::assert_noted;
-use crate::exchange::{Imported, read_any};
+use crate::exchange::{Format, Imported, read_any, write_route};
 use pilotage_base::frames::{Altitude, AltitudeFrame};
 
 fn read(table: &str) -> Imported {
@@ -364,4 +364,26 @@ fn airports_are_landmarks_and_no_way_points_at_their_elevations() {
     assert!(found.routes.is_empty());
     let flown = read("name,latitude,longitude,elevation\na,47.5,8.25,40\n");
     assert_at(&way_points(&flown), &[[47.5, 8.25]]);
+}
+
+#[test]
+fn a_table_of_a_mission_tells_that_home_and_the_first_commands_have_no_row() {
+    let lines = "0 1 0 16 0 0 0 0 -33.85 18.42 357 1\n1 0 3 2000 0 1 0 0 0 0 0 1\n2 0 3 201 0 0 0 0 -33.84 18.41 71 1\n\
+                 3 0 3 16 0 0 0 0 -33.84 18.40 78 1\n";
+    let text = format!("QGC WPL 110\n{}", lines.replace(' ', "\t"));
+    let mission = read_any("a.waypoints", text.as_bytes(), None).unwrap();
+    for format in [Format::Csv, Format::Litchi] {
+        let written = write_route(format, &mission.routes[0], &mission.frame).unwrap();
+        assert_noted(&written.notes, |n| {
+            n.starts_with("the home position is left out")
+        });
+        assert_noted(&written.notes, |n| {
+            n.starts_with("2 × command before the first way-point is left out")
+        });
+        assert!(
+            !written.notes.iter().any(|n| n.starts_with("other")),
+            "{:?}",
+            written.notes
+        );
+    }
 }
