@@ -139,7 +139,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
     (CsvRole::Turns, &["turns", "loiter turns"]),
     (
         CsvRole::Seconds,
-        &["seconds", "loiter time", "hold time", "wait"],
+        &["seconds", "loiter time", "hold time", "wait", "wait time"],
     ),
     (CsvRole::Route, &["route"]),
     (CsvRole::Id, &["id"]),

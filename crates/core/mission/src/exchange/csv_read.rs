@@ -241,8 +241,9 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
             })?;
         }
         way_point.properties = row.properties();
+        let stay = litchi_stay(&way_point.properties);
         if !table.has(CsvRole::Action)
-            && let Some(seconds) = litchi_stay(&way_point.properties)
+            && let Some(seconds) = stay.or(row.number(CsvRole::Seconds)?.filter(|s| *s > 0.0))
         {
             way_point.action = WayPointAction::Wait {
                 radius: 0.0,

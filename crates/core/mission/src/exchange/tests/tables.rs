@@ -2,6 +2,7 @@
 
 use super::assert_noted;
 use crate::exchange::{Format, Imported, read_any, write_route};
+use crate::mission::WayPointAction;
 use pilotage_base::frames::{Altitude, AltitudeFrame};
 
 fn read(table: &str) -> Imported {
@@ -386,4 +387,21 @@ fn a_table_of_a_mission_tells_that_home_and_the_first_commands_have_no_row() {
             written.notes
         );
     }
+}
+
+#[test]
+fn seconds_of_waiting_in_a_table_without_actions_are_waited() {
+    let found = read(
+        "WP;Latitude;Longitude;AltitudeAGL;Speed;WaitTime\n1;47.3977;8.5456;50;5;2\n2;47.398;8.546;55;6;\n",
+    );
+    let actions: Vec<_> = found.routes[0]
+        .way_points
+        .iter()
+        .map(|w| w.action)
+        .collect();
+    let wait = WayPointAction::Wait {
+        radius: 0.0,
+        seconds: Some(2.0),
+    };
+    assert_eq!(actions, [wait, WayPointAction::FlyBy]);
 }
