@@ -19,7 +19,7 @@ const CIRCLE_OUTSIDE: u16 = 5004;
 /// Corners that are this near each other are the same, degrees.
 const SAME_DEGREES: f64 = 1e-7;
 /// Corners of the polygon around a circle.
-const CIRCLE_CORNERS: usize = 48;
+pub(super) const CIRCLE_CORNERS: usize = 48;
 
 /// Fences of a file.
 #[derive(Default)]
@@ -183,6 +183,23 @@ pub(super) fn with_areas(
     (fences.to_string(), note)
 }
 
+/// Corners of the polygon around a circle, which leaves none of it out; `None` of what is no circle on the globe.
+pub(super) fn circle_corners((longitude, latitude): LonLat, radius: f64) -> Option<Vec<LonLat>> {
+    if !(on_globe(longitude, latitude) && radius > 0.0 && radius < 1e6) {
+        return None;
+    }
+    let frame = LocalFrame::new(Geodetic::from_degrees(latitude, longitude, 0.0));
+    let step = TAU / CIRCLE_CORNERS as f64;
+    let radius = radius / (0.5 * step).cos();
+    let corners = (0..CIRCLE_CORNERS).map(|i| {
+        let (east, north) = (step * i as f64).sin_cos();
+        let corner = GroundPoint::new(radius * north, radius * east);
+        let place = frame.geodetic_from_ground(&corner);
+        (place.longitude.to_degrees(), place.latitude.to_degrees())
+    });
+    Some(corners.collect())
+}
+
 #[derive(Default)]
 struct Gathered {
     no_fly: Vec<FoundNoFly>,
@@ -207,22 +224,11 @@ impl Gathered {
         }
     }
 
-    /// A circle as the polygon around it, which leaves none of it out.
-    fn circle(&mut self, (longitude, latitude): LonLat, radius: f64, is_inside: bool) {
-        if !(on_globe(longitude, latitude) && radius > 0.0 && radius < 1e6) {
-            self.broken += 1;
-            return;
+    fn circle(&mut self, middle: LonLat, radius: f64, is_inside: bool) {
+        match circle_corners(middle, radius) {
+            Some(corners) => self.polygon(corners, is_inside),
+            None => self.broken += 1,
         }
-        let frame = LocalFrame::new(Geodetic::from_degrees(latitude, longitude, 0.0));
-        let step = TAU / CIRCLE_CORNERS as f64;
-        let radius = radius / (0.5 * step).cos();
-        let corners = (0..CIRCLE_CORNERS).map(|i| {
-            let (east, north) = (step * i as f64).sin_cos();
-            let corner = GroundPoint::new(radius * north, radius * east);
-            let place = frame.geodetic_from_ground(&corner);
-            (place.longitude.to_degrees(), place.latitude.to_degrees())
-        });
-        self.polygon(corners.collect(), is_inside);
     }
 
     fn finish(self) -> Fences {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::fence::{CIRCLE_CORNERS, circle_corners};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
@@ -12,10 +13,11 @@ use super::{ExchangeError, Places, flown_text};
 use crate::mission::found::{
     FoundLandmark, FoundNoFly, LandmarkExtent, LonLat, ReadRoute, on_globe,
 };
+
 use crate::mission::text::Text;
 use crate::mission::{
-    FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, no_fly_feature, rally_feature,
-    read_features, write_features,
+    FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, add_geometry_members, no_fly_feature,
+    rally_feature, read_features, write_features,
 };
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 
@@ -97,6 +99,18 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             other.plain_lines
         ));
     }
+    if other.heightless > 0 {
+        found.notes.push(format!(
+            "{} of the points of lines with heights state none: {USUAL_ALTITUDE} is taken",
+            other.heightless
+        ));
+    }
+    if other.circles > 0 {
+        found.notes.push(format!(
+            "{} of the places are circles: each is an area of {CIRCLE_CORNERS} corners around it",
+            other.circles
+        ));
+    }
     if other.points > 0 {
         found.notes.push(format!(
             "{} of the places are points: each gets a box of {POINT_BOX} m",
@@ -107,6 +121,12 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         found.notes.push(format!(
             "{} of the geometries have no coordinates, and are left out",
             other.empty
+        ));
+    }
+    if other.rings > 0 {
+        found.notes.push(format!(
+            "{} of the polygons have fewer than three corners, and are left out",
+            other.rings
         ));
     }
     if other.skipped > 0 {
@@ -184,6 +204,9 @@ struct Others {
     points: usize,
     heights: usize,
     plain_lines: usize,
+    heightless: usize,
+    circles: usize,
+    rings: usize,
     skipped: usize,
     empty: usize,
 }
@@ -225,10 +248,10 @@ impl Others {
             return Ok(());
         }
         match kind {
-            "Point" => self.point(coordinates, feature, found)?,
+            "Point" => self.point(coordinates, (geometry, feature), found)?,
             "MultiPoint" => {
                 for point in each(coordinates) {
-                    self.point(&point, feature, found)?;
+                    self.point(&point, (geometry, feature), found)?;
                 }
             }
             "LineString" => self.line(coordinates, feature, found)?,
@@ -239,10 +262,10 @@ impl Others {
             }
             "MultiPolygon" => {
                 for polygon in each(coordinates) {
-                    polygon_of(&polygon, feature, found)?;
+                    self.polygon(&polygon, (geometry, feature), found)?;
                 }
             }
-            "Polygon" => polygon_of(coordinates, feature, found)?,
+            "Polygon" => self.polygon(coordinates, (geometry, feature), found)?,
             "GeometryCollection" => {
                 for geometry in each(geometry.get("geometries").unwrap_or(&Value::Null)) {
                     self.geometry(&geometry, feature, found)?;
@@ -253,18 +276,77 @@ impl Others {
         Ok(())
     }
 
+    /// Adds a point, or the circle about it where its geometry states one (ED-318).
     fn point(
         &mut self,
         coordinates: &Value,
-        feature: &Value,
+        (geometry, feature): (&Value, &Value),
         found: &mut GeodeticContent,
     ) -> Result<(), String> {
-        self.points += 1;
+        let place = position(coordinates)?.0;
+        let circle = circle(geometry).and_then(|radius| circle_corners(place, radius));
+        let is_point = circle.is_none();
+        self.points += usize::from(is_point);
+        self.circles += usize::from(!is_point);
+        let mut properties = properties(feature);
+        add_geometry_members(geometry, &mut properties);
         found.landmarks.push(FoundLandmark {
             name: name(feature),
-            properties: properties(feature),
-            ..FoundLandmark::new(LandmarkExtent::Point(position(coordinates)?.0))
+            properties,
+            ..FoundLandmark::new(
+                circle.map_or(LandmarkExtent::Point(place), LandmarkExtent::Corners),
+            )
         });
+        Ok(())
+    }
+
+    /// Adds a polygon with its holes: a landmark, or a no-fly area where its feature says so.
+    fn polygon(
+        &mut self,
+        rings: &Value,
+        (geometry, feature): (&Value, &Value),
+        found: &mut GeodeticContent,
+    ) -> Result<(), String> {
+        let rings = rings.as_array().map_or(&[][..], Vec::as_slice);
+        let mut rings = rings.iter().map(|ring| {
+            let corners = ring.as_array().map_or(&[][..], Vec::as_slice);
+            let corners = corners.iter().map(|corner| Ok(position(corner)?.0));
+            corners.collect::<Result<Vec<LonLat>, String>>()
+        });
+        let corners = rings.next().transpose()?.unwrap_or_default();
+        if corners.len() < 3 {
+            self.empty += usize::from(corners.is_empty());
+            self.rings += usize::from(!corners.is_empty());
+            return Ok(());
+        }
+        let mut holes: Vec<Vec<LonLat>> = rings.collect::<Result<_, _>>()?;
+        // A hole without corners is none.
+        holes.retain(|hole| hole.len() >= 3);
+        let (name, mut properties) = (name(feature), properties(feature));
+        add_geometry_members(geometry, &mut properties);
+        let (mark, marked) = NO_FLY_MARK;
+        if properties.get(mark).is_some_and(|value| value == marked) {
+            properties.remove(mark);
+            let open = |mut ring: Vec<LonLat>| {
+                if ring.len() > 3 && ring.first() == ring.last() {
+                    ring.pop();
+                }
+                ring
+            };
+            found.no_fly.push(FoundNoFly {
+                name,
+                corners: open(corners),
+                holes: holes.into_iter().map(open).collect(),
+                properties,
+            });
+        } else {
+            found.landmarks.push(FoundLandmark {
+                holes,
+                name,
+                properties,
+                ..FoundLandmark::new(LandmarkExtent::Corners(corners))
+            });
+        }
         Ok(())
     }
 
@@ -278,15 +360,17 @@ impl Others {
             .as_array()
             .ok_or("a line needs a list of positions")?;
         let mut way_points = Vec::with_capacity(positions.len());
-        let mut has_heights = false;
+        let mut without = 0;
         for value in positions {
             let (place, height) = position(value)?;
-            has_heights |= height.is_some();
+            without += usize::from(height.is_none());
             let altitude = height.map_or(USUAL_ALTITUDE, |m| Altitude::new(m, AltitudeFrame::Amsl));
             way_points.push((place, WayPoint::new(GroundPoint::default(), altitude)));
         }
+        let has_heights = without < positions.len();
         self.heights += usize::from(has_heights);
         self.plain_lines += usize::from(!has_heights);
+        self.heightless += if has_heights { without } else { 0 };
         found.routes.push(ReadRoute {
             name: name(feature),
             way_points,
@@ -297,47 +381,11 @@ impl Others {
     }
 }
 
-/// Adds a polygon with its holes: a landmark, or a no-fly area where its feature says so.
-fn polygon_of(rings: &Value, feature: &Value, found: &mut GeodeticContent) -> Result<(), String> {
-    let rings = rings.as_array().map_or(&[][..], Vec::as_slice);
-    let mut rings = rings.iter().map(|ring| {
-        let corners = ring.as_array().map_or(&[][..], Vec::as_slice);
-        let corners = corners.iter().map(|corner| Ok(position(corner)?.0));
-        let corners: Vec<LonLat> = corners.collect::<Result<_, String>>()?;
-        if corners.len() < 3 {
-            return Err("a polygon has at least three corners".to_owned());
-        }
-        Ok(corners)
-    });
-    let Some(corners) = rings.next().transpose()? else {
-        return Err("a polygon has at least three corners".to_owned());
-    };
-    let holes: Vec<Vec<LonLat>> = rings.collect::<Result<_, _>>()?;
-    let (name, mut properties) = (name(feature), properties(feature));
-    let (mark, marked) = NO_FLY_MARK;
-    if properties.get(mark).is_some_and(|value| value == marked) {
-        properties.remove(mark);
-        let open = |mut ring: Vec<LonLat>| {
-            if ring.len() > 3 && ring.first() == ring.last() {
-                ring.pop();
-            }
-            ring
-        };
-        found.no_fly.push(FoundNoFly {
-            name,
-            corners: open(corners),
-            holes: holes.into_iter().map(open).collect(),
-            properties,
-        });
-    } else {
-        found.landmarks.push(FoundLandmark {
-            holes,
-            name,
-            properties,
-            ..FoundLandmark::new(LandmarkExtent::Corners(corners))
-        });
-    }
-    Ok(())
+/// Radius of the circle that the geometry of a point states about it, metres.
+fn circle(geometry: &Value) -> Option<f64> {
+    let extent = geometry.get("extent")?;
+    let is_circle = extent.get("subType").is_some_and(|kind| kind == "Circle");
+    extent.get("radius")?.as_f64().filter(|_| is_circle)
 }
 
 /// Longitude and latitude of a position, and its height where it has one.

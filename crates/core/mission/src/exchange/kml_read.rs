@@ -471,7 +471,12 @@ impl KmlReader<'_> {
                 .zip(height)
                 .map_or(USUAL_ALTITUDE, |(frame, m)| Altitude::new(m, frame))
         };
-        if frame.is_none() || places.iter().any(|p| p.1.is_none()) {
+        let states_some = frame.is_some() && places.iter().any(|p| p.1.is_some());
+        if states_some && places.iter().any(|p| p.1.is_none()) {
+            self.count(format!(
+                "line of which points state no altitude: they are at {USUAL_ALTITUDE}"
+            ));
+        } else if !states_some {
             self.count(format!(
                 "line, which lies on the ground: its way-points are at {USUAL_ALTITUDE}"
             ));

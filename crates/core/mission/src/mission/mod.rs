@@ -35,6 +35,7 @@ pub use place_file::{belongs_to, place_files};
 pub use rally::RallyPoint;
 pub(crate) use read::read_features;
 pub use read::read_mission;
+pub(crate) use read_feature::add_geometry_members;
 pub use record::{MapReference, Mission};
 pub(crate) use route::HOME;
 pub use route::{Route, WayPoint, WayPointAction};

@@ -54,7 +54,8 @@ pub(super) fn feature<'a>(
     let (has_mark, is_no_fly) = (marked(ROUTE_MARK)?, marked(NO_FLY_MARK)?);
     let is_rally = marked(RALLY_MARK)?;
     let kind: Value = text.value(geometry.get())?;
-    let is_polygon = kind.get("type").and_then(Value::as_str) == Some("Polygon");
+    let is_polygon =
+        kind.get("type").and_then(Value::as_str) == Some("Polygon") && !is_without_corners(&kind);
     let is_rally = is_rally && kind.get("type").and_then(Value::as_str) == Some("Point");
     let is_line = kind.get("type").and_then(Value::as_str) == Some("LineString");
     let is_road = is_line && marked(ROAD_MARK)?;
@@ -95,11 +96,33 @@ pub(super) fn feature<'a>(
     } else if is_polygon {
         let mut found = landmark(text, piece.get(), geometry.get(), &mut properties)?;
         found.properties = with_members(properties, members);
+        add_geometry_members(&kind, &mut found.properties);
         Ok(GeoJsonFeature::Landmark(found))
     } else {
         let mut found = route(text, geometry.get(), &mut properties)?;
         found.properties = with_members(properties, members);
         Ok(GeoJsonFeature::Route(found))
+    }
+}
+
+/// Whether a polygon has no ring, or fewer than three corners in its outer one.
+fn is_without_corners(polygon: &Value) -> bool {
+    let rings = polygon.get("coordinates").and_then(Value::as_array);
+    rings.is_some_and(|rings| {
+        let outer = rings.first().map(Value::as_array);
+        outer.is_none_or(|ring| ring.is_some_and(|corners| corners.len() < 3))
+    })
+}
+
+/// Adds what a geometry says beside its type and coordinates (the `layer` of a zone of ED-318) to properties, where none
+/// is called so.
+pub(crate) fn add_geometry_members(geometry: &Value, properties: &mut BTreeMap<String, String>) {
+    let own = ["type", "coordinates", "geometries", "bbox", "crs"];
+    for (name, value) in geometry.as_object().into_iter().flatten() {
+        if !own.contains(&name.as_str()) {
+            let value = || value.to_string();
+            properties.entry(name.clone()).or_insert_with(value);
+        }
     }
 }
 
@@ -155,7 +178,10 @@ fn rings<'a>(
         coordinates: Vec<Vec<Vec<f64>>>,
     }
     let polygon: FeaturePolygon = text.value(geometry)?;
-    let mut rings = polygon.coordinates.iter().map(|ring| {
+    // A hole without corners is none.
+    let rings = polygon.coordinates.iter().enumerate();
+    let rings = rings.filter(|(i, ring)| *i == 0 || ring.len() >= 3);
+    let mut rings = rings.map(|(_, ring)| {
         let corners: Vec<LonLat> = ring
             .iter()
             .map(|position| lon_lat(text, geometry, position, "a corner"))

@@ -251,3 +251,108 @@ fn coordinates_with_space_beside_their_commas_are_read() {
         .collect();
     assert_eq!(metres, [500.0, 510.0, 520.0]);
 }
+
+#[test]
+fn geometries_without_corners_are_left_out_and_counted_and_empty_holes_are_none() {
+    let read = |geometry: &str| {
+        let text = format!(
+            r#"{{ "type": "FeatureCollection", "features": [
+            {{ "type": "Feature", "properties": {{}}, "geometry": {{ "type": "Point", "coordinates": [8.5, 47.4] }} }},
+            {{ "type": "Feature", "properties": {{}}, "geometry": {geometry} }} ] }}"#
+        );
+        read_any("x.geojson", text.as_bytes(), None).unwrap()
+    };
+    for (geometry, note) in [
+        (
+            r#"{ "type": "Polygon", "coordinates": [] }"#,
+            "1 of the geometries have no coordinates",
+        ),
+        (
+            r#"{ "type": "Polygon", "coordinates": [[]] }"#,
+            "1 of the geometries have no coordinates",
+        ),
+        (
+            r#"{ "type": "Polygon", "coordinates": [[[8.5, 47.4], [8.6, 47.4]]] }"#,
+            "1 of the polygons have fewer than three corners",
+        ),
+        (
+            r#"{ "type": "MultiPolygon", "coordinates": [[[[8.5, 47.4]]]] }"#,
+            "1 of the polygons have fewer than three corners",
+        ),
+    ] {
+        let back = read(geometry);
+        assert_eq!(back.landmarks.len(), 1, "{geometry}");
+        assert_noted(&back.notes, |n| n.starts_with(note));
+    }
+    let ring = "[[8.5, 47.4], [8.6, 47.4], [8.6, 47.5], [8.5, 47.4]]";
+    let back = read(&format!(
+        r#"{{ "type": "Polygon", "coordinates": [{ring}, []] }}"#
+    ));
+    assert_eq!(
+        (back.landmarks.len(), back.landmarks[1].holes().len()),
+        (2, 0)
+    );
+    let table = "WKT,name\n\"POLYGON EMPTY\",a\n\"POINT (8.5 47.4)\",b\n";
+    let back = read_any("x.csv", table.as_bytes(), None).unwrap();
+    assert_eq!(back.landmarks.len(), 1);
+    assert_noted(&back.notes, |n| {
+        n.starts_with("1 of the geometries have no coordinates")
+    });
+}
+
+#[test]
+fn points_without_a_height_in_lines_with_heights_are_told() {
+    let line = r#"{ "type": "LineString", "coordinates": [[8.5, 47.4, 500], [8.6, 47.5]] }"#;
+    let back = read_any("x.geojson", line.as_bytes(), None).unwrap();
+    assert_noted(&back.notes, |n| {
+        n.starts_with("1 of the points of lines with heights")
+    });
+    let kml = "<kml><Placemark><LineString><altitudeMode>absolute</altitudeMode><coordinates>8.5,47.4 8.6,47.5,510\
+        </coordinates></LineString></Placemark></kml>";
+    let back = read_any("x.kml", kml.as_bytes(), None).unwrap();
+    assert_noted(&back.notes, |n| {
+        n.contains("line of which points state no altitude")
+    });
+    assert!(
+        !back.notes.iter().any(|n| n.contains("on the ground")),
+        "{:?}",
+        back.notes
+    );
+}
+
+#[test]
+fn a_zone_of_unmanned_aircraft_is_the_circle_about_its_point_and_keeps_its_heights() {
+    let layer = r#"{ "upper": 120, "upperReference": "AGL", "uom": "m" }"#;
+    let zone = |geometry: &str| {
+        let text = format!(
+            r#"{{ "type": "FeatureCollection", "features": [ {{ "type": "Feature", "properties": {{ "country": "CHE" }},
+            "geometry": {geometry} }} ] }}"#
+        );
+        read_any("zones.json", text.as_bytes(), None).unwrap()
+    };
+    let circle = r#""type": "Point", "coordinates": [8.5, 47.4], "extent": { "subType": "Circle", "radius": 5000 }"#;
+    for geometry in [
+        format!("{{ {circle}, \"layer\": {layer} }}"),
+        format!(
+            r#"{{ "type": "GeometryCollection", "geometries": [ {{ {circle}, "layer": {layer} }} ] }}"#
+        ),
+    ] {
+        let back = zone(&geometry);
+        let place = back.landmarks[0].bounds;
+        // Two radii, and at most the 0.2 % by which 48 corners lie outside of the circle.
+        for size in [place.width(), place.height()] {
+            assert!((10_000.0..10_030.0).contains(&size), "{size}");
+        }
+        let kept: serde_json::Value =
+            serde_json::from_str(&back.landmarks[0].properties["layer"]).unwrap();
+        assert_eq!(kept["upper"], 120);
+        assert_noted(&back.notes, |n| {
+            n.starts_with("1 of the places are circles")
+        });
+    }
+    let ring = "[[[8.5, 47.4], [8.6, 47.4], [8.6, 47.5], [8.5, 47.4]]]";
+    let back = zone(&format!(
+        r#"{{ "type": "Polygon", "coordinates": {ring}, "layer": {layer} }}"#
+    ));
+    assert!(back.landmarks[0].properties["layer"].contains("AGL"));
+}
