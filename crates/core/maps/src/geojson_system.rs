@@ -5,18 +5,27 @@ use serde_json::Value;
 
 use crate::systems::by_code;
 
-/// The text of GeoJSON whose member `crs` names a system in other units than degrees, with its coordinates in degrees and
-/// without that member, and a sentence that says so; `None` of any other text.
+/// Systems in degrees that are taken for WGS 84, which is one of them.
+const AS_WGS_84: [u32; 8] = [4326, 4979, 4258, 4937, 4269, 4283, 7844, 4167];
+
+/// The text of GeoJSON whose member `crs` names another system than WGS 84 and those within 2 m of it, with its coordinates in
+/// degrees on WGS 84 and without that member, and a sentence that says so; `None` of any other text.
 pub(crate) fn geojson_in_degrees(text: &str) -> Option<(String, Vec<String>)> {
     if !text.trim_start().starts_with('{') || !text.contains("\"crs\"") {
         return None;
     }
     let mut whole: Value = serde_json::from_str(text).ok()?;
-    let name = whole.pointer("/crs/properties/name")?.as_str()?;
-    let code = name.rsplit([':', '/']).next()?.parse().ok()?;
-    let system = by_code(code)
-        .ok()
-        .filter(|system| !system.is_geographic())?;
+    let stated = whole.pointer("/crs/properties")?;
+    // Before 2008 its number stood alone.
+    let name = stated.get("name").or_else(|| stated.get("code"))?;
+    let code: u32 = match name.as_str() {
+        Some(name) => name.rsplit([':', '/']).next()?.parse().ok()?,
+        None => name.as_u64()?.try_into().ok()?,
+    };
+    if AS_WGS_84.contains(&code) {
+        return None;
+    }
+    let system = by_code(code).ok()?;
     let mut notes = vec![format!("its coordinates are read in {}", system.name())];
     notes.extend(system.note());
     turn(&mut whole, &system)?;
@@ -71,6 +80,8 @@ mod tests {
                 [8.537_504_877, 47.368_613_839],
             ),
             (32_632, [465_429.756, 5_246_517.201], [8.5421, 47.3712]),
+            // DHDN, in degrees.
+            (4314, [8.5, 47.4], [8.499_050_7, 47.399_148_3]),
         ] {
             let text = format!(
                 r#"{{"type":"FeatureCollection","crs":{{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{code}"}}}},
@@ -81,7 +92,7 @@ mod tests {
             let place = whole.pointer("/features/0/geometry/coordinates/0").unwrap();
             let number = |at: usize| place[at].as_f64().unwrap();
             assert!(
-                (number(0) - longitude).hypot(number(1) - latitude) < 2e-8,
+                (number(0) - longitude).hypot(number(1) - latitude) < 1e-7,
                 "{turned}"
             );
             assert!((number(2) - 5.0).abs() < 1e-9);
@@ -91,6 +102,8 @@ mod tests {
             );
             assert!(whole.get("crs").is_none() && !notes.is_empty());
         }
+        let of_2007 = r#"{"type":"Point","coordinates":[950000,6000000],"crs":{"type":"EPSG","properties":{"code":3857}}}"#;
+        assert!(geojson_in_degrees(of_2007).is_some());
         for other in [
             r#"{"type":"Point","coordinates":[8,47]}"#,
             r#"{"type":"Point","coordinates":[8,47],"crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}}}"#,

@@ -177,13 +177,12 @@ fn other_json(whole: &Value) -> Option<&'static str> {
 
 /// A note on the reference system that a file of before 2016 may state, or its refusal.
 fn system(file: &str, whole: &Value) -> Result<Option<String>, ExchangeError> {
-    let name = whole
-        .pointer("/crs/properties/name")
-        .and_then(Value::as_str);
-    let Some(name) = name else {
+    let stated = |member: &str| whole.pointer("/crs/properties")?.get(member);
+    // Before 2008 its number stood alone.
+    let Some(name) = stated("name").or(stated("code")).and_then(name_of) else {
         return Ok(None);
     };
-    let code = name.rsplit([':', '/']).next().unwrap_or(name);
+    let code = name.rsplit([':', '/']).next().unwrap_or(&name);
     match code {
         "4326" | "4979" | "CRS84" | "CRS84h" | "WGS84" => Ok(None),
         "4258" | "4937" | "4269" | "4283" | "7844" | "4167" => Ok(Some(format!(
@@ -192,7 +191,7 @@ fn system(file: &str, whole: &Value) -> Result<Option<String>, ExchangeError> {
         _ => Err(ExchangeError::File {
             file: file.to_owned(),
             cause: format!(
-                "its coordinates are in {name}, not in longitude and latitude: save it in EPSG:4326"
+                "its coordinates are in {name}, not in longitude and latitude on WGS 84: save it in EPSG:4326"
             ),
         }),
     }
