@@ -45,7 +45,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
         Ok(None) => {}
         Err(why) if is_flight => eprintln!("note: {why}"),
-        Err(why) => return Err(why),
+        // Labels of another program are called by its name.
+        Err(why) => {
+            let named = foreign_words(path).filter(|is| is.contains("labels of"));
+            return Err(named.map_or(why, Into::into));
+        }
     }
     let told = match opened {
         OpenedPath::Folder(folder) => {
@@ -96,6 +100,17 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             ),
         }
     })?;
+    // What holds places and was not saved here is a file of places.
+    if !says_ours(&bytes) {
+        return Err(foreign_words(path)
+            .unwrap_or_else(|| {
+                format!(
+                    "{}: it is GeoJSON without the marks of a mission: `pilotage convert`, or open it in Plan",
+                    path.display()
+                )
+            })
+            .into());
+    }
     let mission = package.mission;
     println!(
         "mission \"{}\": {} landmarks",
@@ -138,6 +153,11 @@ fn of_logs(option: &str, of: &str) -> String {
 fn is_ours(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(1000)];
     String::from_utf8_lossy(head).contains("\"pilotage")
+}
+
+/// Whether a mission that can be read says anywhere that it was saved here; a zip with one in it does.
+fn says_ours(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK") || String::from_utf8_lossy(bytes).contains("\"pilotage")
 }
 
 fn describe(flight: &Flight) {

@@ -410,6 +410,9 @@ fn open(
     let map = open_map_with(&directory, &arguments.name(), &options);
     Ok(map.map_err(|error| match error {
         // What is of another kind is called by its name.
+        _ if error.is_of_another_kind() => {
+            foreign_words(&arguments.file).unwrap_or_else(|| error.to_string())
+        }
         MapFileError::NoGeoreference { .. } if !arguments.has_ending(&PICTURES) => {
             foreign_words(&arguments.file).unwrap_or_else(|| error.to_string())
         }

@@ -264,9 +264,10 @@ pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, O
             Ok(map) => return Ok(Some((name, map))),
             Err(
                 MapFileError::NoGeoreference { .. }
+                | MapFileError::NoPicture { .. }
                 | MapFileError::NoOverlay { .. }
                 | MapFileError::Overlay { .. }
-                | MapFileError::GeoTiff(GeoTiffError::NoPlace { .. }),
+                | MapFileError::GeoTiff(GeoTiffError::NoPlace { .. } | GeoTiffError::ByCamera { .. }),
             ) => {}
             Err(other) => return Err(other.to_string()),
         }

@@ -99,6 +99,55 @@ fn labels_go_from_one_format_into_the_other_and_are_counted() {
 }
 
 #[test]
+fn geojson_of_others_is_no_mission_to_inspect_and_one_of_ours_is() {
+    let folder = Folder::new("inspect-geojson");
+    let point = r#"{ "type": "Point", "coordinates": [8.5, 47.4] }"#;
+    let feature = format!(r#"{{ "type": "Feature", "properties": {{}}, "geometry": {point} }}"#);
+    let all = format!(r#"{{ "type": "FeatureCollection", "features": [{feature}] }}"#);
+    for (name, text) in [
+        ("a.geojson", all),
+        ("b.geojson", point.to_owned()),
+        ("c.geojsonl", format!("{feature}\n{feature}\n")),
+    ] {
+        folder.write(name, text);
+        let told = folder.run(&["inspect", name]).unwrap_err();
+        assert!(
+            told.contains("GeoJSON") && told.contains("pilotage convert"),
+            "{told}"
+        );
+    }
+    let ours = folder.convert("a.geojson", "ours.geojson", &[]);
+    assert!(ours.status.success(), "{}", words(&ours.stderr));
+    let mission = write_mission(
+        &read_mission(br#"{ "type": "FeatureCollection", "features": [] }"#).expect("it is empty"),
+    );
+    folder.write("mission.json", mission);
+    let told = folder
+        .run(&["inspect", "mission.json"])
+        .expect("it is ours");
+    assert!(told.starts_with("mission "), "{told}");
+}
+
+#[test]
+fn files_of_other_programs_are_named_whatever_their_ending() {
+    let folder = Folder::new("named");
+    folder.write("a.ntf", "NITF02.1003BF01");
+    folder.write(
+        "b.tif",
+        "version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
+    );
+    folder.write("c.xml", "<annotations><version>1.1</version></annotations>");
+    for (command, file, name) in [
+        (&["map", "info"][..], "a.ntf", "NITF"),
+        (&["map", "info"], "b.tif", "Git LFS"),
+        (&["inspect"], "c.xml", "CVAT"),
+    ] {
+        let told = folder.run(&[command, &[file]].concat()).unwrap_err();
+        assert!(told.contains(name), "{told}");
+    }
+}
+
+#[test]
 fn rally_points_go_through_geojson_into_a_file_of_way_points_of_their_own() {
     let folder = Folder::new("convert-rally");
     let lines = "QGC WPL 110\n0\t0\t3\t5100\t0\t40\t0\t0\t47.4\t8.5\t60\t1\n";

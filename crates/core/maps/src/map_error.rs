@@ -4,6 +4,7 @@ use crate::GeoTiffError;
 use crate::corners_error::CornersError;
 use crate::systems::SystemError;
 use crate::terrain::TerrainError;
+use crate::tiff::TiffError;
 use crate::web_tiles::PmTilesError;
 use pilotage_base::georeference::GeoreferenceError;
 use pilotage_raster::raster::CodecError;
@@ -26,6 +27,14 @@ pub enum MapFileError {
     )]
     NoGeoreference {
         /// Name of the picture.
+        file: String,
+    },
+    /// The file is no picture, and nothing beside it says where it lies.
+    #[error(
+        "{file}: of no kind of map that is known here: neither a GeoTIFF nor tiles (PMTiles), and no JPEG or PNG picture"
+    )]
+    NoPicture {
+        /// Name of the file.
         file: String,
     },
     /// The side file cannot be read.
@@ -112,4 +121,20 @@ pub enum MapFileError {
         /// Name of the side file.
         file: String,
     },
+}
+
+impl MapFileError {
+    /// Whether the file begins as no map that is read, whatever its ending.
+    pub fn is_of_another_kind(&self) -> bool {
+        matches!(
+            self,
+            Self::NoPicture { .. }
+                | Self::Picture {
+                    cause: CodecError::UnknownFormat,
+                    ..
+                }
+                | Self::GeoTiff(GeoTiffError::Tiff(TiffError::NotTiff { .. }))
+                | Self::PmTiles(PmTilesError::NotPmTiles { .. })
+        )
+    }
 }

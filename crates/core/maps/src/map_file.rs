@@ -163,9 +163,7 @@ pub fn open_map_with(
     }
     let bytes = files.read(name).ok_or_else(|| missing(name))?;
     let (side, place) =
-        place_beside(files, name, options)?.ok_or_else(|| MapFileError::NoGeoreference {
-            file: name.to_owned(),
-        })?;
+        place_beside(files, name, options)?.ok_or_else(|| without_place(name, &bytes))?;
     refuse_unnamed(&place, name, options)?;
     let georeference = |cause| MapFileError::Georeference {
         file: side.clone(),
@@ -181,6 +179,17 @@ pub fn open_map_with(
     GeoreferencedPicture::placed(name, picture, placement)
         .map(|map| OpenMap::Picture(Box::new(map)))
         .ok_or(MapFileError::Empty { file: side })
+}
+
+/// What to say of a file beside which nothing tells where it lies: of what is no picture, that.
+fn without_place(name: &str, bytes: &[u8]) -> MapFileError {
+    let file = name.to_owned();
+    let [jpeg, png] = [&b"\xff\xd8\xff"[..], b"\x89PNG\r\n\x1a\n"];
+    if bytes.starts_with(jpeg) || bytes.starts_with(png) {
+        MapFileError::NoGeoreference { file }
+    } else {
+        MapFileError::NoPicture { file }
+    }
 }
 
 fn open_geo_tiff(
@@ -210,7 +219,7 @@ pub(crate) fn geo_tiff_file(
     let open = |beside, system| GeoTiffFile::open(source.clone(), beside, system);
     // Files beside it are read only for what it does not say itself: what is wrong in them is none of its concern else.
     let (beside, opened) = match open(None, options.system) {
-        Err(GeoTiffError::NoPlace { .. }) => {
+        Err(GeoTiffError::NoPlace { .. } | GeoTiffError::ByCamera { .. }) => {
             let beside = place_beside(files, name, options)?.map(|(_, place)| place);
             (beside, open(beside, options.system))
         }
@@ -326,6 +335,24 @@ mod tests {
         assert!(
             text.starts_with("map.prj") && text.contains("Timbalai"),
             "{text}"
+        );
+    }
+
+    #[test]
+    fn what_is_no_picture_is_not_told_to_get_a_world_file() {
+        let files = files(&[
+            ("a.ntf", b"NITF02.10BF01"),
+            ("a.tif", b"version https://git-lfs"),
+        ]);
+        let told = |name| open_map(&files, name, None).err().unwrap();
+        let error = told("a.ntf");
+        assert!(error.is_of_another_kind(), "{error}");
+        assert!(told("a.tif").is_of_another_kind());
+        let picture = told("map.png");
+        assert!(!picture.is_of_another_kind(), "{picture}");
+        assert!(
+            picture.to_string().contains("put its world file"),
+            "{picture}"
         );
     }
 

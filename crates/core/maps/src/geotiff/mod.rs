@@ -20,9 +20,9 @@ pub(crate) use band_metadata::BandMetadata;
 use coarse::Coarse;
 use colour::Colours;
 pub use keys::GeoKeys;
-use place::has_negative_height;
 pub(crate) use place::heights_scale;
 pub use place::world_file;
+use place::{has_negative_height, is_placed_by_camera};
 use tiles::ColouredTiles;
 
 use super::tiff::{TiffError, TiffFile};
@@ -67,6 +67,14 @@ pub enum GeoTiffError {
         "{file}: the file does not say where it lies; put a world file (.tfw) beside it, or georeference it"
     )]
     NoPlace {
+        /// Name of the file.
+        file: String,
+    },
+    /// Its pixels are placed by the camera that took them.
+    #[error(
+        "{file}: its pixels are placed by the coefficients of a satellite's camera (RPC), which are not read: orthorectify it (`gdalwarp -rpc`), or georeference it"
+    )]
+    ByCamera {
         /// Name of the file.
         file: String,
     },
@@ -166,6 +174,9 @@ impl GeoTiffFile {
                 Some(system) => beside.with_system(system),
                 None => beside,
             },
+            (None, None) if is_placed_by_camera(&tiff.directory) => {
+                return Err(GeoTiffError::ByCamera { file: file() });
+            }
             (None, None) => return Err(GeoTiffError::NoPlace { file: file() }),
         };
         let is_upside_down = own.is_some() && has_negative_height(&tiff.directory);

@@ -64,3 +64,8 @@ pub fn heights_scale(directory: &Directory) -> Option<(f64, f64)> {
     let is_said = scale != 0.0 && scale.is_finite() && offset.is_finite();
     (is_said && (scale, offset) != (1.0, 0.0)).then_some((scale, offset))
 }
+
+/// Whether coefficients of a satellite's camera place the pixels.
+pub(super) fn is_placed_by_camera(directory: &Directory) -> bool {
+    (directory.reals(Tag::RpcCoefficients)).is_ok_and(|numbers| !numbers.is_empty())
+}

@@ -94,3 +94,12 @@ fn names_are_found_behind_letters_of_other_code_pages() {
     let file = GeoTiffFile::open(Arc::new(source), None, None).expect("a system");
     assert_eq!(file.keys.vertical_name.as_deref(), Some("EGM96 height"));
 }
+
+#[test]
+fn pixels_that_a_satellites_camera_places_are_told_to_be_orthorectified() {
+    let coefficients = (50_844, 12, doubles(&[1.0; 92]));
+    let source = MemoryBytes::new("map.tif", write(&Recipe::default(), &[coefficients]));
+    let error = GeoTiffFile::open(Arc::new(source), None, None).err();
+    let told = error.map(|error| error.to_string()).unwrap_or_default();
+    assert!(told.contains("gdalwarp -rpc"), "{told}");
+}

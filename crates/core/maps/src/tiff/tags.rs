@@ -88,4 +88,6 @@ tags! {
     GdalNoData = 42_113,
     /// Version of LERC and what its bytes are packed in.
     LercParameters = 50_674,
+    /// Coefficients by which the camera of a satellite places the pixels.
+    RpcCoefficients = 50_844,
 }

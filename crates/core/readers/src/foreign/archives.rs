@@ -3,7 +3,7 @@
 use pilotage_base::bytes::ByteSource;
 
 use super::kind::{
-    CONVERT, FILM, Foreign, JPEG, LOG, REACH, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
+    CONVERT, FILM, Foreign, JPEG, LOG, REACH, SHAPE, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
 };
 
 const fn name(
@@ -31,6 +31,10 @@ const ENTRIES: &[(&str, Foreign)] = &[
     name("content.xml", "a document or workbook of LibreOffice (.odt, .ods)", TO_CSV),
     name("*.kml", "KML in a zip (KMZ)", CONVERT),
     name("*.wpml", "a way-point mission of DJI (KMZ)", CONVERT),
+    name("*.shp", "a zipped shapefile", SHAPE),
+    name("*.hgt", "heights of the ground in a zip (SRTM, .hgt)", UNPACK),
+    name("*.plan", "a plan of QGroundControl in a zip", UNPACK),
+    name("*.waypoints", "a mission of way-points in a zip", UNPACK),
 ];
 
 /// Kinds that the first file of a zip states, stored as it is.
@@ -267,6 +271,9 @@ mod tests {
             (&["doc.kml"], "KMZ"),
             (&["mimetype", "content.xml"], "LibreOffice"),
             (&["a.zip", "b.ZIP"], "zip of zips"),
+            (&["data/a.shp", "data/a.dbf"], "a zipped shapefile"),
+            (&["N47E008.hgt"], "heights of the ground"),
+            (&["m/a.plan"], "a plan of QGroundControl"),
             (&["a.csv", "notes/word.txt"], "a zip"),
         ] {
             assert!(

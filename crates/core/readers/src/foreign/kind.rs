@@ -37,6 +37,10 @@ pub(super) const CONVERT: &str =
     "it holds routes or landmarks: `pilotage convert`, or open it in Plan";
 pub(super) const FLIGHT_PLAN: &str =
     "save it as GPX (Little Navmap, or the program that made it) and open that in Plan";
+pub(super) const SHAPE: &str =
+    "save its layer as GeoJSON (QGIS, `ogr2ogr out.geojson in.shp`) and open that";
+pub(super) const ROADS: &str = "import it: `pilotage roads import`";
+pub(super) const LABELS: &str = "export them as COCO or Pascal VOC and open those";
 pub(super) const AGAIN: &str = "copy it again from where it comes from";
 
 /// Bytes of a file's beginning and end in which archives and databases tell what is in them.

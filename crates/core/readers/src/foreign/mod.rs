@@ -128,6 +128,11 @@ mod tests {
             ),
             (b"<!DOCTYPE html>".to_vec(), "web page"),
             (b"[ {\"t\": 1}, {\"t\": 2} ]".to_vec(), "JSON of no kind"),
+            (b"msid\0\0\0\0".to_vec(), "MrSID"),
+            (b"NITF02.10".to_vec(), "NITF"),
+            (b"DSBB\x02\0".to_vec(), "Surfer"),
+            (b"\0\0\0\x0d\x0a\x09OSMHeader\x18".to_vec(), "OpenStreetMap"),
+            (b"AC W\nAN WAVE\nAL FL100\nAH FL195\n".to_vec(), "OpenAir"),
             (Vec::new(), "empty"),
             (vec![0; 64], "zeros"),
         ] {

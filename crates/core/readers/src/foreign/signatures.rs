@@ -1,11 +1,14 @@
 //! Bytes at a place that tell what a file is, one kind a line.
 
 use super::kind::{
-    CONVERT, FILM, Foreign, JPEG, LOG, MODEL, PHOTO, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
+    CONVERT, FILM, Foreign, JPEG, LOG, MODEL, PHOTO, ROADS, SHAPE, TO_CSV, TO_GEOJSON, TO_MCAP,
+    UNPACK, kind,
 };
 
 /// Bytes at a place of a file that tell what it is.
 struct FileSignature {
+    /// Bytes at its beginning that have to be there as well.
+    begins: &'static [u8],
     offset: usize,
     bytes: &'static [u8],
     is: Foreign,
@@ -21,8 +24,22 @@ const fn mark_at(
     what: &'static str,
     advice: &'static str,
 ) -> FileSignature {
-    let is = kind(what, advice);
-    FileSignature { offset, bytes, is }
+    FileSignature {
+        begins: b"",
+        offset,
+        bytes,
+        is: kind(what, advice),
+    }
+}
+
+/// Kind of a RIFF file: its word stands behind the length.
+const fn riff(bytes: &'static [u8], what: &'static str, advice: &'static str) -> FileSignature {
+    FileSignature {
+        begins: b"RIFF",
+        offset: 8,
+        bytes,
+        is: kind(what, advice),
+    }
 }
 
 const DECRYPT: &str = "decrypt it with the private key of its aircraft (PX4's Tools/decrypt_ulog.py) and open the .ulg";
@@ -36,7 +53,6 @@ const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open th
 const GPX_OF: &str = "make a GPX or CSV of it (gpsbabel) and open that";
 const MAP: &str = "open it as a map";
 const TIFF: &str = "open it as a map; photos with places are read from JPEG and PNG: save them so";
-const SHAPE: &str = "save its layer as GeoJSON (QGIS, `ogr2ogr out.geojson in.shp`) and open that";
 
 /// Every signature, in the order in which they are tried.
 #[rustfmt::skip]
@@ -75,7 +91,7 @@ const MARKS: &[FileSignature] = &[
     mark(b"MSCF\0\0\0\0", "a cabinet of Windows (.cab)", UNPACK),
     mark(b"!<arch>", "an archive of Unix (ar, .deb)", UNPACK),
     mark(b"PK\x05\x06", "an empty zip", "pack it again with the files in it"),
-    mark(b"PK\x03\x04", "a zip", "give it the ending .zip, and it opens with what is in it"),
+    mark(b"PK\x03\x04", "a zip", "if a flight or a map is in it, give it the ending .zip and open it; else unpack it and open what is in it"),
     mark_at(257, b"ustar", "a tar archive", UNPACK),
     // Pictures.
     mark(&[0xff, 0xd8, 0xff], "a photo (JPEG)", PHOTO),
@@ -94,14 +110,14 @@ const MARKS: &[FileSignature] = &[
     mark(&[0xff, 0x4f, 0xff, 0x51], "a picture (JPEG 2000)", GRID),
     mark(b"\0\0\0\x0cJXL \r\n\x87\n", "a picture (JPEG XL)", JPEG),
     mark(&[0xff, 0x0a], "a picture (JPEG XL)", JPEG),
-    mark_at(8, b"WEBP", "a picture (WebP)", JPEG),
+    riff(b"WEBP", "a picture (WebP)", JPEG),
     mark(b"%PDF", "a document (PDF)", "save its map as GeoTIFF (QGIS, `gdal_translate`) if there is one in it, else open the log of its flight"),
     mark(b"%!PS", "a drawing (PostScript, EPS)", WORLD_OF),
     mark(&[0xc5, 0xd0, 0xd3, 0xc6], "a drawing (EPS)", WORLD_OF),
     mark(b"PMTiles", "a map of tiles (PMTiles)", MAP),
     // Films and sounds.
-    mark_at(8, b"AVI ", "a film (AVI)", FILM),
-    mark_at(8, b"WAVE", "a sound recording", LOG),
+    riff(b"AVI ", "a film (AVI)", FILM),
+    riff(b"WAVE", "a sound recording", LOG),
     mark_at(4, b"moov", "a film (MOV)", FILM),
     mark_at(4, b"mdat", "a film (MOV) whose end is missing or comes late", FILM),
     mark(&[0x1a, 0x45, 0xdf, 0xa3], "a film (Matroska or WebM)", FILM),
@@ -131,6 +147,15 @@ const MARKS: &[FileSignature] = &[
     mark(b"CDF\x02", "a grid of NetCDF", GRID),
     mark(b"CDF\x05", "a grid of NetCDF", GRID),
     mark(b"EHFA_HEADER_TAG", "a map of ERDAS Imagine (.img)", GRID),
+    mark(b"msid", "a map of MrSID (.sid)", GRID),
+    mark(b"NITF0", "a picture of NITF (.ntf)", GRID),
+    mark(b"DSAA", "a grid of Surfer (.grd)", GRID),
+    mark(b"DSBB", "a grid of Surfer (.grd)", GRID),
+    mark(b"DSRB", "a grid of Surfer (.grd)", GRID),
+    mark(b"binterr1.", "a grid of heights of VTP (.bt)", GRID),
+    mark(b"ENVI\n", "the header of a map of ENVI (.hdr)", GRID),
+    mark(b"ENVI\r\n", "the header of a map of ENVI (.hdr)", GRID),
+    mark_at(4, b"\x0a\x09OSMHeader", "a road map of OpenStreetMap (PBF)", ROADS),
     mark(b"TDSm", "measurements of LabVIEW (TDMS)", TO_CSV),
     mark(b"MDF     ", "measurements of a data bus (MDF)", TO_CSV),
     mark(b"GRIB", "a grid of the weather (GRIB)", LOG),
@@ -161,7 +186,7 @@ const WORLD_OF: &str = "save it as PNG and open that as a map, with a world file
 pub(super) fn of(head: &[u8]) -> Option<Foreign> {
     let is_there = |mark: &&FileSignature| {
         head.get(mark.offset..)
-            .is_some_and(|rest| rest.starts_with(mark.bytes))
+            .is_some_and(|rest| rest.starts_with(mark.bytes) && head.starts_with(mark.begins))
     };
     MARKS.iter().find(is_there).map(|mark| mark.is)
 }

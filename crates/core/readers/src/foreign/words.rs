@@ -1,6 +1,8 @@
 //! Words near the beginning of a text that tell what it is, one kind a line.
 
-use super::kind::{CONVERT, FLIGHT_PLAN, Foreign, LOG, MODEL, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{
+    CONVERT, FLIGHT_PLAN, Foreign, LABELS, LOG, MODEL, ROADS, TO_CSV, TO_GEOJSON, kind,
+};
 
 const NMEA: &str = "no two places could be read in them: they need GGA or RMC with a fix";
 const PAGE: &str = "what was downloaded is a page about the file, not the file: download it again";
@@ -85,6 +87,16 @@ const WORDS: &[(&str, Foreign)] = &[
     word("<littlenavmap", "a flight plan of Little Navmap (.lnmpln)", CONVERT),
     word("<flight_plan", "a flight plan of Paparazzi (XML)", PLACES),
     word("<loc ", "places of a geocache (.loc)", "make a GPX of it (gpsbabel -i geo) and open that"),
+    word("\nal fl", "airspaces (OpenAir)", AIRSPACE),
+    word("\nah fl", "airspaces (OpenAir)", AIRSPACE),
+    word("\ntype=airspace", "airspaces (TNP, .sua)", AIRSPACE),
+    word("<openaip", "airspaces of openAIP (.aip)", AIRSPACE),
+    word("aixmbasicmessage", "airspaces (AIXM)", AIRSPACE),
+    word("\nnc: ", "the classes of a data set of YOLO (data.yaml)", LABELS),
+    word("<annotations>", "labels of CVAT (XML)", LABELS),
+    word("<osmchange", "changes of OpenStreetMap (.osc)", "apply them to a road map (`osmium apply-changes`) and import that: `pilotage roads import`"),
+    word("0\nsection\n", "a drawing (DXF)", TO_GEOJSON),
+    word("0\r\nsection\r\n", "a drawing (DXF)", TO_GEOJSON),
     word("\nac ctr", "airspaces (OpenAir)", AIRSPACE),
     word("\nal sfc", "airspaces (OpenAir)", AIRSPACE),
     word("\nal gnd", "airspaces (OpenAir)", AIRSPACE),
@@ -92,7 +104,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\"progressive_course_activated\"", "a flight plan of Parrot's FreeFlight", PLACES),
     word("<gpx", "a GPX file", CONVERT),
     word("<kml", "a KML file", CONVERT),
-    word("<osm ", "a road map of OpenStreetMap", "import it: `pilotage roads import`"),
+    word("<osm ", "a road map of OpenStreetMap", ROADS),
     word("<qgis", "a project or style of QGIS", TO_GEOJSON),
     word("<!doctype plist", "a list of settings of macOS (plist)", LOG),
     word("<!doctype html", "a web page", PAGE),
@@ -105,7 +117,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\nbegin:vcard", "addresses", LOG),
 ];
 
-/// Members of JSON without blanks, in small letters.
+/// Members of JSON without blanks, in small letters; `^` before one says that the text begins so.
 #[rustfmt::skip]
 const MEMBERS: &[(&str, Foreign)] = &[
     word("\"type\":\"topology\"", "TopoJSON", "save it as GeoJSON (mapshaper, `topo2geo`) and open that"),
@@ -113,14 +125,30 @@ const MEMBERS: &[(&str, Foreign)] = &[
     word("\"filetype\":\"plan\"", "a plan of QGroundControl", CONVERT),
     word("\"filetype\":\"mission\"", "an old mission of QGroundControl", CONVERT),
     word("\"mav_autopilot\"", "an old mission of QGroundControl", CONVERT),
+    word("\"icaoclass\":", "airspaces of openAIP (JSON)", AIRSPACE),
+    word("\"generator\":\"overpassapi", "a road map of OpenStreetMap (JSON of Overpass)", "ask for XML (`[out:xml]`) and import that: `pilotage roads import`"),
+    word("\"shape_type\":", "labels of labelme", LABELS),
+    word("\"_via_settings\"", "labels of VIA", LABELS),
+    word("\"shape_attributes\":", "labels of VIA", LABELS),
+    word("\"coordinates\":{\"x\":", "labels of CreateML", LABELS),
+    word("^[{\"image_id\":", "detections for a data set of COCO", "open the data set itself, whose labels are read"),
+    word("\"segments\":[{\"type\":\"waypoint\"", "a route of UgCS (JSON)", "export it as KML or CSV in UgCS and open that in Plan"),
     word("\"type\":\"featurecollection\"", "GeoJSON", CONVERT),
+    word("^{\"type\":\"feature\"", "GeoJSON", CONVERT),
+    word("^{\"type\":\"point\"", "GeoJSON", CONVERT),
+    word("^{\"type\":\"linestring\"", "GeoJSON", CONVERT),
+    word("^{\"type\":\"polygon\"", "GeoJSON", CONVERT),
+    word("^{\"type\":\"multi", "GeoJSON", CONVERT),
+    word("^{\"type\":\"geometrycollection\"", "GeoJSON", CONVERT),
+    word("^{\"coordinates\":[", "GeoJSON", CONVERT),
     word("\"cells\":[", "a notebook of Jupyter", TO_CSV),
     word("\"asset\":{\"", "a model (glTF)", MODEL),
 ];
 
 /// Kind of a text in small letters.
 pub(super) fn of(text: &str) -> Option<Foreign> {
-    let text = text.trim_start_matches('\u{feff}');
+    // A sequence of JSON may begin with its separator.
+    let text = text.trim_start_matches(['\u{feff}', '\u{1e}']);
     let is_there = |word: &str| match word.strip_prefix('\n') {
         Some(begin) => text.lines().any(|line| {
             line.trim_start_matches(['\u{feff}', ' '])
@@ -133,7 +161,11 @@ pub(super) fn of(text: &str) -> Option<Foreign> {
         return found.map(|(_, is)| *is);
     }
     let bare: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let found = MEMBERS.iter().find(|(member, _)| bare.contains(member));
+    let is_there = |member: &str| match member.strip_prefix('^') {
+        Some(begin) => bare.starts_with(begin),
+        None => bare.contains(member),
+    };
+    let found = MEMBERS.iter().find(|(member, _)| is_there(member));
     // Files of our own have words of their own where they cannot be read.
     let is_own = bare.contains("\"pilotage");
     let is_json = ["{\"", "[{\"", "[["]
@@ -172,5 +204,54 @@ mod tests {
             assert!(found.what.contains(program), "{text}: {}", found.what);
         }
         assert!(of("name,note\na,see epsg:4326\n").is_none());
+    }
+
+    #[test]
+    fn airspaces_labels_and_maps_of_others_are_called_by_their_names() {
+        for (text, name) in [
+            ("ac w\nan wave north\nal fl100\nah fl195\n", "OpenAir"),
+            ("# tnp\ninclude=yes\ntype=airspace\n", "TNP"),
+            ("<?xml version=\"1.0\"?><openaip version=\"1\">", "openAIP"),
+            ("<message:aixmbasicmessage xmlns:message=\"x\"/>", "AIXM"),
+            ("[{\"_id\": \"a\", \"icaoclass\": 3}]", "openAIP"),
+            (
+                "{\"version\": 0.6, \"generator\": \"overpass api\"}",
+                "Overpass",
+            ),
+            ("<osmchange version=\"0.6\">", "changes of OpenStreetMap"),
+            ("  0\r\nsection\r\n  2\r\nheader\r\n", "DXF"),
+            (
+                "{\"shapes\": [{\"label\": \"a\", \"shape_type\": \"rectangle\"}]}",
+                "labelme",
+            ),
+            (
+                "{\"a.jpg1\": {\"regions\": [{\"shape_attributes\": {}}]}}",
+                "VIA",
+            ),
+            (
+                "[{\"image\": \"a.jpg\", \"annotations\": [{\"label\": \"a\", \"coordinates\": {\"x\": 1}}]}]",
+                "CreateML",
+            ),
+            (
+                "[{\"image_id\": 1, \"category_id\": 1, \"score\": 0.9}]",
+                "COCO",
+            ),
+            ("<annotations><version>1.1</version></annotations>", "CVAT"),
+            ("train: a\nnc: 2\nnames: [a, b]\n", "YOLO"),
+            (
+                "{\"route\": {\"name\": \"r\", \"segments\": [{\"type\": \"waypoint\"}]}}",
+                "UgCS",
+            ),
+        ] {
+            let found = of(text).map_or("", |is| is.what);
+            assert!(found.contains(name), "{text}: {found}");
+        }
+        for text in [
+            "{\"type\": \"linestring\", \"coordinates\": [[8.5, 47.4]]}",
+            "{\"coordinates\": [8.5, 47.4], \"type\": \"point\"}",
+            "\u{1e}{\"type\": \"feature\", \"geometry\": null}\n\u{1e}{\"type\": \"feature\"}\n",
+        ] {
+            assert_eq!(of(text).map(|is| is.what), Some("GeoJSON"), "{text}");
+        }
     }
 }
