@@ -9,7 +9,7 @@ use crate::place_beside::{mask_beside, place_beside, refuse_unnamed, system_besi
 use crate::web_tiles::{PmTiles, WebTiles};
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 use pilotage_base::files::FileSet;
-use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_base::georeference::Georeference;
 use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
 use pilotage_raster::raster::{Raster, Rgba};
@@ -62,6 +62,7 @@ impl OpenMap {
         let note = system.and_then(|system| system.note_on(self.name()));
         let more = match self {
             Self::GeoTiff(map) => map.notes(),
+            Self::PmTiles(map) => map.note().map(str::to_owned).into_iter().collect(),
             _ => Vec::new(),
         };
         note.into_iter().chain(more).collect()
@@ -240,21 +241,35 @@ fn open_pm_tiles(
 ) -> Result<WebTiles, MapFileError> {
     let source = files.source(name).ok_or_else(|| missing(name))?;
     let archive = PmTiles::open(source)?;
-    let frame = frame_of(options, Some(archive.middle()));
     let reach = GroundRect::centered(GroundPoint::default(), 2.0 * TILES_REACH, 2.0 * TILES_REACH);
-    // Of a map of the world only the part around the origin lies near the plane.
-    let own = archive.area(&frame).filter(|area| {
-        [area.south, area.north, area.west, area.east]
-            .iter()
-            .all(|v| v.abs() <= TILES_REACH)
-    });
+    let around = |place: Geodetic| {
+        let frame = frame_of(options, Some(place));
+        // Of a map of the world only the part around the origin lies near the plane.
+        let own = archive.area(&frame).filter(|area| {
+            [area.south, area.north, area.west, area.east]
+                .iter()
+                .all(|v| v.abs() <= TILES_REACH)
+        });
+        (frame, own)
+    };
+    let (mut frame, own) = around(archive.middle());
+    let mut note = None;
+    if own.is_none() {
+        // Programs that do not know the bounds state those of the world, and the centre of what there is.
+        if let Some(centre) = archive.centre() {
+            frame = around(centre).0;
+        }
+        let origin = frame.origin;
+        note = Some(format!(
+            "{name}: the archive states a larger area; read is what lies within {} km of {:.4}°, {:.4}° (latitude, longitude)",
+            TILES_REACH / 1000.0,
+            origin.latitude.to_degrees(),
+            origin.longitude.to_degrees()
+        ));
+    }
     let area = own.unwrap_or(reach);
-    Ok(WebTiles::new(
-        Box::new(archive),
-        frame,
-        area,
-        options.memory.tiles,
-    ))
+    let map = WebTiles::new(Box::new(archive), frame, area, options.memory.tiles);
+    Ok(map.with_note(note))
 }
 
 pub(crate) fn missing(name: &str) -> MapFileError {

@@ -56,6 +56,7 @@ pub struct WebTiles {
     gsd: f64,
     kept: RecentValues<TileNumber, Option<Raster<Rgba>>>,
     problems: Mutex<Vec<String>>,
+    note: Option<String>,
 }
 
 impl WebTiles {
@@ -76,7 +77,19 @@ impl WebTiles {
             area,
             kept: RecentValues::new(memory),
             problems: Mutex::default(),
+            note: None,
         }
+    }
+
+    /// The same map with a sentence on what of it is read.
+    #[must_use]
+    pub fn with_note(self, note: Option<String>) -> Self {
+        Self { note, ..self }
+    }
+
+    /// A sentence on what of the map is read, if that is not all.
+    pub fn note(&self) -> Option<&str> {
+        self.note.as_deref()
     }
 
     /// The world frame.

@@ -94,11 +94,15 @@ pub struct PmTiles {
     leaf_offset: u64,
     data_offset: u64,
     is_packed: bool,
+    /// Whether each tile is packed by gzip as well.
+    has_packed_tiles: bool,
     format: TileFormat,
     zooms: (u8, u8),
     side: usize,
     /// South-west and north-east corner.
     corners: (Geodetic, Geodetic),
+    /// Place that is shown first.
+    centre: Geodetic,
     metadata: ArchiveMetadata,
 }
 
@@ -132,6 +136,18 @@ impl PmTiles {
                 )));
             }
         };
+        // What a program does not know is mostly nothing.
+        let has_packed_tiles = match header[98] {
+            0 | 1 => false,
+            2 => true,
+            other => {
+                let name = ["", "", "", "Brotli", "Zstandard"].get(usize::from(other));
+                return Err(unsupported(format!(
+                    "tiles packed by {} (method {other}); plain ones and those packed by gzip are read",
+                    name.unwrap_or(&"an unknown method")
+                )));
+            }
+        };
         let format = match header[99] {
             2 => TileFormat::Png,
             3 => TileFormat::Jpeg,
@@ -160,6 +176,7 @@ impl PmTiles {
             leaf_offset: word(40),
             data_offset: word(56),
             is_packed,
+            has_packed_tiles,
             format,
             zooms,
             side: 256,
@@ -167,6 +184,7 @@ impl PmTiles {
                 Geodetic::from_degrees(angle(106), angle(102), 0.0),
                 Geodetic::from_degrees(angle(114), angle(110), 0.0),
             ),
+            centre: Geodetic::from_degrees(angle(123), angle(119), 0.0),
         };
         // The header does not say how large the tiles are: the first one does.
         let first = archive.first_tile()?;
@@ -202,6 +220,17 @@ impl PmTiles {
             longitude: wrap_pi(south_west.longitude + 0.5 * across),
             height: 0.0,
         }
+    }
+
+    /// The place that the archive states as its centre, if it lies between its corners.
+    pub fn centre(&self) -> Option<Geodetic> {
+        let (south_west, north_east) = self.corners;
+        let east_of_west = |longitude: f64| (longitude - south_west.longitude).rem_euclid(TAU);
+        let width = east_of_west(north_east.longitude);
+        // Bounds around the whole globe begin where they end.
+        let is_within = width == 0.0 || east_of_west(self.centre.longitude) <= width;
+        let latitudes = south_west.latitude..=north_east.latitude;
+        (is_within && latitudes.contains(&self.centre.latitude)).then_some(self.centre)
     }
 
     /// The ground of the world frame `frame` that the map covers.
@@ -253,10 +282,12 @@ impl PmTiles {
             return Err(damaged(self.source.name(), "tile", cause));
         }
         let offset = self.data_offset.saturating_add(entry.offset);
-        read(self.source.as_ref(), offset, entry.length, "tile")
+        let bytes = read(self.source.as_ref(), offset, entry.length, "tile")?;
+        unpack(&bytes, self.has_packed_tiles)
+            .map_err(|cause| damaged(self.source.name(), "tile", cause))
     }
 
-    /// Bytes of a tile as they are stored, `None` if the map leaves it out.
+    /// Bytes of a tile, unpacked, `None` if the map leaves it out.
     pub fn bytes(&self, tile: &TileNumber) -> Result<Option<Vec<u8>>, PmTilesError> {
         let id = tile.hilbert();
         let Some(mut entry) = find(&self.root, id) else {

@@ -8,7 +8,9 @@ use flate2::{Compression, write::GzEncoder};
 use proptest::prelude::*;
 
 use super::*;
+use crate::open_map;
 use pilotage_base::bytes::MemoryBytes;
+use pilotage_base::files::MemoryFiles;
 use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Picture, Raster, Rgba, encode_png};
@@ -376,6 +378,75 @@ fn archive() -> Vec<u8> {
     }
     out.resize(127, 0);
     [out, root, about, leaf, data].concat()
+}
+
+/// The archive with tiles that are packed by gzip one by one.
+fn archive_of_packed_tiles() -> Vec<u8> {
+    let png = encode_png(&Picture::filled(16, 16, [50, 60, 70])).unwrap();
+    let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+    packed.write_all(&png).unwrap();
+    let data = packed.finish().unwrap();
+    let root = directory(&[(0, 1, 0, data.len() as u64)]);
+    let mut out = b"PMTiles\x03".to_vec();
+    for (place, length) in [
+        (127, root.len()),
+        (127 + root.len(), 0),
+        (127 + root.len(), 0),
+        (127 + root.len(), data.len()),
+    ] {
+        out.extend((place as u64).to_le_bytes());
+        out.extend((length as u64).to_le_bytes());
+    }
+    out.resize(96, 0);
+    out.extend([1, 2, 2, 2, 0, 0]);
+    out.resize(127, 0);
+    [out, root, data].concat()
+}
+
+#[test]
+fn tiles_that_are_packed_are_unpacked_or_refused_by_the_name_of_their_method() {
+    let packed = open(archive_of_packed_tiles()).unwrap();
+    let pixels = packed.tile(&tile(0, 0, 0)).unwrap().unwrap();
+    assert_eq!(pixels.get(3, 3), [50, 60, 70, 255]);
+    let mut brotli = archive();
+    brotli[98] = 3;
+    let error = open(brotli).err().unwrap().to_string();
+    assert!(error.contains("Brotli"), "{error}");
+}
+
+#[test]
+fn of_an_archive_that_states_the_world_the_ground_about_its_centre_is_read_and_that_is_told() {
+    let mut bytes = archive();
+    let mut state = |at: usize, degrees: f64| {
+        bytes[at..at + 4].copy_from_slice(&((degrees * 1e7) as i32).to_le_bytes());
+    };
+    state(119, 8.35);
+    state(123, 47.34);
+    let open = |bytes: &[u8]| {
+        let mut files = MemoryFiles::default();
+        files.0.insert("map.pmtiles".to_owned(), bytes.to_vec());
+        open_map(&files, "map.pmtiles", None).unwrap()
+    };
+    let map = open(&bytes);
+    let origin = map.frame().unwrap().origin;
+    let place = [origin.latitude, origin.longitude].map(f64::to_degrees);
+    assert!(
+        (place[0] - 47.34).abs() < 1e-6 && (place[1] - 8.35).abs() < 1e-6,
+        "{place:?}"
+    );
+    assert!(
+        map.notes()[0].contains("100 km of 47.34"),
+        "{:?}",
+        map.notes()
+    );
+    // A centre beyond the bounds is none.
+    let mut bounds = |at: usize, degrees: f64| {
+        bytes[at..at + 4].copy_from_slice(&((degrees * 1e7) as i32).to_le_bytes());
+    };
+    bounds(102, 9.0);
+    bounds(110, 30.0);
+    let origin = *open(&bytes).frame().unwrap();
+    assert!((origin.origin.longitude.to_degrees() - 19.5).abs() < 1e-6);
 }
 
 fn open(bytes: Vec<u8>) -> Result<PmTiles, PmTilesError> {
