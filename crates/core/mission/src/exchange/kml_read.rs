@@ -227,7 +227,7 @@ impl KmlReader<'_> {
             match child.name.as_str() {
                 "Placemark" => self.placemark(child)?,
                 "NetworkLink" if self.archive.is_some() => self.link(child),
-                "GroundOverlay" | "NetworkLink" | "ScreenOverlay" | "PhotoOverlay" => {
+                "GroundOverlay" | "NetworkLink" | "ScreenOverlay" | "PhotoOverlay" | "Tour" => {
                     self.count(format!("{} is left out", child.name));
                 }
                 _ => self.walk(child)?,
@@ -322,7 +322,11 @@ impl KmlReader<'_> {
             .filter(|c| GEOMETRIES.contains(&c.name.as_str()))
             .collect();
         if geometries.is_empty() {
-            self.count("placemark without geometry is left out");
+            self.count(if placemark.child("Model").is_some() {
+                "Model is left out"
+            } else {
+                "placemark without geometry is left out"
+            });
         }
         for geometry in geometries {
             self.geometry(geometry, None, &said)?;
@@ -375,7 +379,14 @@ impl KmlReader<'_> {
                 for _ in 0..empty {
                     self.count("moment of a track without a place (an empty gx:coord) is left out");
                 }
-                let places = self.places(geometry, geometry)?;
+                let mut places = self.places(geometry, geometry)?;
+                // Google Earth moves the whole line by so much.
+                let offset = geometry.child_text("altitudeOffset");
+                if let Some(offset) = offset.and_then(|text| text.trim().parse::<f64>().ok()) {
+                    for metres in places.iter_mut().filter_map(|(_, height)| height.as_mut()) {
+                        *metres += offset;
+                    }
+                }
                 self.line(altitude_mode, &places, said);
             }
             _ => {

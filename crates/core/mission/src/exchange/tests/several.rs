@@ -356,3 +356,30 @@ fn a_zone_of_unmanned_aircraft_is_the_circle_about_its_point_and_keeps_its_heigh
     ));
     assert!(back.landmarks[0].properties["layer"].contains("AGL"));
 }
+
+#[test]
+fn an_offset_of_altitudes_moves_the_line_and_tours_and_models_are_named() {
+    let text = "<kml xmlns:gx=\"http://www.google.com/kml/ext/2.2\"><Document><gx:Tour><name>T</name></gx:Tour>\
+        <Placemark><Model><Location><longitude>8.5</longitude></Location></Model></Placemark>\
+        <Placemark><LineString><gx:altitudeOffset>10</gx:altitudeOffset><altitudeMode>absolute</altitudeMode>\
+        <coordinates>8.5,47.4,500 8.51,47.41,510</coordinates></LineString></Placemark></Document></kml>";
+    let back = read_any("x.kml", text.as_bytes(), None).unwrap();
+    let metres: Vec<f64> = back.routes[0]
+        .way_points
+        .iter()
+        .map(|w| w.altitude.metres)
+        .collect();
+    assert_eq!(metres, [510.0, 520.0]);
+    for name in ["Tour is left out", "Model is left out"] {
+        assert_noted(&back.notes, |n| n.contains(name));
+    }
+}
+
+#[test]
+fn the_number_of_a_system_as_files_of_before_2008_state_it_is_heeded() {
+    let text = r#"{ "type": "Point", "coordinates": [8.5, 47.4], "crs": { "type": "EPSG", "properties": { "code": 4314 } } }"#;
+    let error = read_any("x.geojson", text.as_bytes(), None)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("are in 4314"), "{error}");
+}
