@@ -1,6 +1,6 @@
 //! `pilotage inspect`: what a file or folder is.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pilotage_core::flight::Flight;
 
@@ -100,16 +100,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             ),
         }
     })?;
-    // What holds places and was not saved here is a file of places.
     if !says_ours(&bytes) {
-        return Err(foreign_words(path)
-            .unwrap_or_else(|| {
-                format!(
-                    "{}: it is GeoJSON without the marks of a mission: `pilotage convert`, or open it in Plan",
-                    path.display()
-                )
-            })
-            .into());
+        return Err(places_of_others(path).into());
     }
     let mission = package.mission;
     println!(
@@ -153,6 +145,16 @@ fn of_logs(option: &str, of: &str) -> String {
 fn is_ours(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(1000)];
     String::from_utf8_lossy(head).contains("\"pilotage")
+}
+
+/// Name of a file that holds places and was not saved here.
+fn places_of_others(path: &Path) -> String {
+    foreign_words(path).unwrap_or_else(|| {
+        format!(
+            "{}: it is GeoJSON without the marks of a mission: `pilotage convert`, or open it in Plan",
+            path.display()
+        )
+    })
 }
 
 /// Whether a mission that can be read says anywhere that it was saved here; a zip with one in it does.
