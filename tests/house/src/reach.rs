@@ -48,6 +48,9 @@ pub const FORBIDDEN_IN_UI: [&[&str]; 10] = [
     &["std", "net"],
 ];
 
+/// Field of egui that writes what it only shows, rounded and cut, into the number: `NumberField` alone may use it.
+pub const BEHIND_NUMBER_FIELD: [&[&str]; 2] = [&["egui", "DragValue"], &["egui", "widgets"]];
+
 /// Places outside test code where `source` names one of `forbidden`.
 pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation> {
     named_paths(&source.text)

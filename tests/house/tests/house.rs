@@ -139,6 +139,24 @@ fn ui_reaches_no_page_and_no_window() {
 }
 
 #[test]
+fn a_number_that_is_only_looked_at_stays_what_it_is() {
+    let sources = reach::without_test_files(below("crates/ui/src"));
+    let (field, others): (Vec<_>, Vec<_>) = sources
+        .iter()
+        .partition(|source| source.path.ends_with("shell/number_field.rs"));
+    let of = |source| reach::forbidden_paths(source, &reach::BEHIND_NUMBER_FIELD);
+    assert!(
+        !field
+            .into_iter()
+            .flat_map(of)
+            .collect::<Vec<_>>()
+            .is_empty()
+    );
+    let found: Vec<_> = others.into_iter().flat_map(of).collect();
+    assert_none(&found);
+}
+
+#[test]
 fn files_are_short() {
     let sources = below(".");
     assert_none(&shape::too_long(&sources));

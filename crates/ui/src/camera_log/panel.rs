@@ -10,7 +10,7 @@ use super::work::{CameraLog, Missing, ResidualPreview};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::feature::FeatureWork;
-use crate::shell::{at_work, caption, muted, text_button, title};
+use crate::shell::{NumberField, at_work, caption, muted, text_button, title};
 use crate::views::{parts, table};
 
 /// Scene of the sheet.
@@ -82,12 +82,9 @@ impl CameraLogView {
             }
             let mut clock = work.clock;
             let label = ui.label(muted(tokens, "camera clock known to, σ"));
-            let value = egui::DragValue::new(&mut clock)
-                .range(0.1..=20.0)
-                .speed(0.02)
-                .fixed_decimals(1)
-                .suffix(" s");
-            if ui.add(value).labelled_by(label.id).changed() {
+            let value = NumberField::new(0.1..=20.0).speed(0.02).decimals(1);
+            let value = value.suffix(" s").show(ui, &mut clock);
+            if value.labelled_by(label.id).changed() {
                 send(context, Do::Believe(clock));
             }
         });

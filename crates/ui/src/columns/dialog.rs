@@ -1,8 +1,6 @@
 //! The dialog that asks what the columns of tables mean.
 
-use egui::{
-    Button, DragValue, Frame, Id, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui, vec2,
-};
+use egui::{Button, Frame, Id, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui, vec2};
 use pilotage_core::flight::columns::{
     ColumnMap, ColumnRole, GuessedTable, tables_lack, tables_lack_to_navigate,
 };
@@ -12,7 +10,7 @@ use super::ColumnsCommand;
 use super::rows::rows;
 use crate::command::Command;
 use crate::host::OpenedFile;
-use crate::shell::{caption, icons::Icon, muted, text_button, title};
+use crate::shell::{NumberField, caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
 use pilotage_jobs::JobId;
@@ -248,19 +246,16 @@ fn columns(ui: &mut Ui, tokens: &Tokens, units: Units, draft: &mut ColumnsDraft,
             let label = ui.label("No column is the time. Rows a second:");
             let map = &mut table.guess.map;
             let mut rate = map.rows_per_second.unwrap_or(0.0);
-            let field = DragValue::new(&mut rate)
-                .range(0.0..=10_000.0)
-                .speed(0.1)
-                .max_decimals(3)
-                .custom_formatter(|rate, _| {
-                    if rate > 0.0 {
-                        format!("{rate} Hz")
-                    } else {
-                        "unknown".to_owned()
-                    }
-                })
-                .custom_parser(|text| text.trim_end_matches("Hz").trim().parse().ok());
-            if ui.add(field).labelled_by(label.id).changed() {
+            let field = NumberField::new(0.0..=10_000.0).speed(0.1).decimals(3);
+            let field = field.words(|rate| {
+                if rate > 0.0 {
+                    format!("{rate} Hz")
+                } else {
+                    "unknown".to_owned()
+                }
+            });
+            let field = field.show(ui, &mut rate);
+            if field.labelled_by(label.id).changed() {
                 map.rows_per_second = (rate > 0.0).then_some(rate);
             }
         });

@@ -1,12 +1,12 @@
 //! Search of photos: the prior of their pose, and the range around it.
 
-use egui::{DragValue, Ui};
+use egui::Ui;
 use pilotage_core::flight::photo::PhotoSearch;
 
 use super::PhotosCommand as Do;
 use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
-use crate::shell::{muted, text_button};
+use crate::shell::{NumberField, muted, text_button};
 use crate::views::parts;
 
 /// A number that is edited: its name, its unit, and how many units one of it is.
@@ -32,17 +32,11 @@ impl EditedNumber<'_> {
     }
 
     fn field(&self, ui: &mut Ui, value: &mut f64, label: egui::Id) -> bool {
-        let mut shown = self.factor * *value;
-        let field = DragValue::new(&mut shown)
-            .range(self.range.clone())
-            .speed(0.005 * (self.range.end() - self.range.start()).min(200.0))
-            .max_decimals(1)
-            .suffix(format!(" {}", self.unit));
-        let response = ui.add(field).labelled_by(label).on_hover_text(self.hint);
-        if response.changed() {
-            *value = shown / self.factor;
-        }
-        response.changed()
+        let reach = self.factor * (self.range.end() - self.range.start());
+        let field = NumberField::new(self.range.clone()).unit((self.factor, self.unit));
+        let field = field.speed(0.005 * reach.min(200.0)).decimals(1);
+        let field = field.show(ui, value).labelled_by(label);
+        field.on_hover_text(self.hint).changed()
     }
 
     /// A row that says nothing better is known than the photo tells until it is ticked; then `usual` is begun with.
@@ -81,7 +75,7 @@ pub(super) fn limits(ui: &mut Ui, context: &mut ViewContext<'_>, before: &PhotoS
             name,
             unit,
             factor,
-            range: range[0] * factor..=range[1] * factor,
+            range: range[0]..=range[1],
             hint,
         };
         number(
@@ -137,7 +131,7 @@ pub(super) fn known(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosSc
             name,
             unit,
             factor,
-            range: range[0]..=range[1],
+            range: range[0] / factor..=range[1] / factor,
             hint,
         };
         let hint =

@@ -1,6 +1,6 @@
 //! Actions at way-points and at the ends of a route: in words, and chosen.
 
-use egui::{ComboBox, DragValue, Ui};
+use egui::{ComboBox, Ui};
 use pilotage_core::frames::{Altitude, AltitudeFrame};
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
@@ -8,6 +8,7 @@ use super::PlanCommand;
 use super::legs::time_text;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::shell::NumberField;
 
 /// Radius of circles where nobody chose another, metres.
 const RADIUS: f64 = 80.0;
@@ -111,10 +112,9 @@ pub fn action(
     match now {
         WayPointAction::Loiter { radius, turns } => {
             let mut count = turns;
-            let circles = DragValue::new(&mut count).range(0.5..=99.0).speed(0.1);
-            let circles = ui
-                .add(circles.suffix(" ×"))
-                .accessible_name("Number of circles");
+            let circles = NumberField::new(0.5..=99.0).suffix(" ×");
+            let circles = circles.speed(0.1).decimals(2).show(ui, &mut count);
+            let circles = circles.accessible_name("Number of circles");
             let (changed, is_over) = radius_field(ui, radius, context);
             if circles.changed() || changed.is_some() {
                 let action = WayPointAction::Loiter {
@@ -126,15 +126,12 @@ pub fn action(
         }
         WayPointAction::Wait { radius, seconds } => {
             let mut time = seconds.unwrap_or(0.0);
-            let field = DragValue::new(&mut time)
-                .range(0.0..=36000.0)
-                .speed(1.0)
-                .fixed_decimals(0)
-                .custom_formatter(|time, _| match time {
-                    0.0 => "no end".to_owned(),
-                    time => format!("{time:.0} s"),
-                });
-            let field = ui.add(field).accessible_name("Seconds of waiting");
+            let field = NumberField::new(0.0..=36000.0).words(|time| match time {
+                0.0 => "no end".to_owned(),
+                time => format!("{time:.0} s"),
+            });
+            let field = field.show(ui, &mut time);
+            let field = field.accessible_name("Seconds of waiting");
             let (changed, is_over) = radius_field(ui, radius, context);
             if field.changed() || changed.is_some() {
                 let action = WayPointAction::Wait {
@@ -156,17 +153,13 @@ pub fn action(
 
 /// Draws the radius and the side of circles; returns the radius if it is changed, and whether no drag goes on.
 fn radius_field(ui: &mut Ui, radius: f64, context: &ViewContext<'_>) -> (Option<f64>, bool) {
-    let (factor, unit) = context.units.length();
-    let mut shown = radius.abs() * factor;
-    let field = DragValue::new(&mut shown)
-        .range(0.0..=5000.0 * factor)
-        .speed(1.0)
-        .fixed_decimals(0)
-        .suffix(format!(" {unit}"));
-    let field = ui.add(field).accessible_name("Radius of the circles");
+    let mut size = radius.abs();
+    let field = NumberField::new(0.0..=5000.0).unit(context.units.length());
+    let field = field.show(ui, &mut size);
+    let field = field.accessible_name("Radius of the circles");
     let left = radius < 0.0;
     let turned = ui.selectable_label(left, "left").clicked();
-    let radius = shown / factor * if left == turned { 1.0 } else { -1.0 };
+    let radius = size * if left == turned { 1.0 } else { -1.0 };
     (
         (field.changed() || turned).then_some(radius),
         !field.dragged(),

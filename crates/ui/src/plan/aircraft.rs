@@ -1,6 +1,6 @@
 //! Aircraft as the user states it: its bank limit, its power and the energy on board.
 
-use egui::{DragValue, Ui};
+use egui::Ui;
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::{too_short, turn_radius};
@@ -10,7 +10,7 @@ use super::legs::Leg;
 use super::planner::PlanPreferences;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{caption, icon_button, icons::Icon, muted};
+use crate::shell::{NumberField, caption, icon_button, icons::Icon, muted};
 use pilotage_core::plan::cruise;
 
 /// Radius of the turn at a way-point, metres, at the airspeed of the leg that leads there and the
@@ -46,15 +46,9 @@ pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewCo
     let mut next = preferences.clone();
     ui.horizontal_wrapped(|ui| {
         ui.label(muted(tokens, "Bank up to"));
-        let mut degrees = next.bank.to_degrees();
-        let field = DragValue::new(&mut degrees)
-            .range(5.0..=60.0)
-            .speed(0.25)
-            .fixed_decimals(0)
-            .suffix("°");
-        if ui.add(field).accessible_name("Bank limit").changed() {
-            next.bank = degrees.to_radians();
-        }
+        let field = NumberField::new(5_f64.to_radians()..=60_f64.to_radians());
+        let field = field.degrees().speed(0.25).show(ui, &mut next.bank);
+        field.accessible_name("Bank limit");
         let (factor, unit) = context.units.length();
         let radius = turn_radius(cruise(), preferences.bank) * factor;
         ui.label(muted(
@@ -104,14 +98,12 @@ fn optional(
     let stated = *value;
     let mut number = stated.unwrap_or(0.0);
     let suffix = unit.to_owned();
-    let field = DragValue::new(&mut number)
-        .range(0.0..=1e6)
-        .speed(1.0)
-        .custom_formatter(move |value, _| match stated {
-            Some(_) => format!("{value:.0}{suffix}"),
-            None => "not stated".to_owned(),
-        });
-    if ui.add(field).accessible_name(name).changed() {
+    let field = NumberField::new(0.0..=1e6).words(move |value| match stated {
+        Some(_) => format!("{value:.0}{suffix}"),
+        None => "not stated".to_owned(),
+    });
+    let field = field.show(ui, &mut number);
+    if field.accessible_name(name).changed() {
         *value = Some(number).filter(|n| *n > 0.0);
     }
     let forget = format!("Do not state: {}", name.to_lowercase());

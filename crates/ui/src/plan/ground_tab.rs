@@ -1,6 +1,6 @@
 //! The ground: where a fix would be had, and finding a route over it, between no-fly areas and rally points.
 
-use egui::{Align, DragValue, Layout, Slider, Ui};
+use egui::{Align, Layout, Slider, Ui};
 use pilotage_core::frames::AltitudeFrame;
 use pilotage_core::plan::{Aim, BudgetOf};
 
@@ -20,7 +20,7 @@ use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{caption, icon_button, icons::Icon, muted};
+use crate::shell::{NumberField, caption, icon_button, icons::Icon, muted};
 use crate::units::{Units, with_minus};
 use pilotage_jobs::{FixesFrom, Foreseen};
 
@@ -77,18 +77,10 @@ fn heat(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         ui.selectable_value(&mut heat.of, FixesFrom::Map, "the map alone");
         ui.selectable_value(&mut heat.of, FixesFrom::Landmarks, "landmarks");
     });
-    let (factor, unit) = context.units.length();
     row(ui, "Position error before it (1σ)", |ui| {
-        let mut sigma = heat.position * factor;
-        let field = DragValue::new(&mut sigma)
-            .range(0.0..=1000.0)
-            .speed(0.5)
-            .fixed_decimals(0)
-            .suffix(format!(" {unit}"));
-        let field = ui.add(field).accessible_name("Uncertainty of the position");
-        if field.changed() {
-            heat.position = sigma / factor;
-        }
+        let field = NumberField::new(0.0..=1000.0).unit(context.units.length());
+        let field = field.speed(0.5).show(ui, &mut heat.position);
+        field.accessible_name("Uncertainty of the position");
     });
     row(ui, "Opacity", |ui| {
         let slider = Slider::new(&mut heat.opacity, 0.1..=1.0).show_value(false);
@@ -211,17 +203,10 @@ fn length(
     most: f64,
     context: &ViewContext<'_>,
 ) {
-    let (factor, unit) = context.units.length();
     row(ui, label, |ui| {
-        let mut shown = *metres * factor;
-        let field = DragValue::new(&mut shown)
-            .range(0.0..=most)
-            .speed(0.5)
-            .fixed_decimals(0)
-            .suffix(format!(" {unit}"));
-        if ui.add(field).accessible_name(name).changed() {
-            *metres = shown / factor;
-        }
+        let field = NumberField::new(0.0..=most).unit(context.units.length());
+        let field = field.speed(0.5).show(ui, metres);
+        field.accessible_name(name);
     });
 }
 
@@ -239,15 +224,9 @@ fn wishes(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut V
         ui.selectable_value(&mut wanted.budget_of, BudgetOf::Length, "length");
         ui.selectable_value(&mut wanted.budget_of, BudgetOf::Time, "time");
         let mut percent = 100.0 * (wanted.budget - 1.0);
-        let field = DragValue::new(&mut percent)
-            .range(0.0..=400.0)
-            .speed(0.5)
-            .fixed_decimals(0)
-            .prefix("+")
-            .suffix(" %");
-        let field = ui
-            .add(field)
-            .accessible_name("Budget over the shortest route");
+        let field = NumberField::new(0.0..=400.0).speed(0.5);
+        let field = field.prefix("+").suffix(" %").show(ui, &mut percent);
+        let field = field.accessible_name("Budget over the shortest route");
         if field.changed() {
             wanted.budget = 1.0 + percent / 100.0;
         }

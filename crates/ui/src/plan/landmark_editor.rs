@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use egui::{DragValue, TextEdit, Ui};
+use egui::{TextEdit, Ui};
 use pilotage_core::landmark::Landmark;
 
 use super::PlanCommand;
@@ -10,7 +10,7 @@ use super::purpose::Purpose;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;
-use crate::shell::{caption, icon_button, icons::Icon, muted, text_button};
+use crate::shell::{NumberField, caption, icon_button, icons::Icon, muted, text_button};
 
 /// Categories that are offered where the mission has none of its own.
 const USUAL: [&str; 8] = [
@@ -201,34 +201,29 @@ fn numbers(
     let tokens = context.tokens;
     let mut changes = Vec::new();
     let (factor, unit) = context.units.length();
-    let mut height = landmark.height * factor;
+    let mut height = landmark.height;
     ui.label(muted(tokens, "Height"));
-    let field = DragValue::new(&mut height)
-        .speed(0.1)
-        .range(-100.0..=1000.0)
-        .fixed_decimals(1)
-        .suffix(format!(" {unit} above ground"));
-    let field = ui
-        .add(field)
-        .accessible_name("Height of the reference point");
+    let field = NumberField::new(-100.0..=1000.0).unit((factor, unit));
+    let field = field.suffix(format!(" {unit} above ground"));
+    let field = field.speed(0.1).decimals(1).show(ui, &mut height);
+    let field = field.accessible_name("Height of the reference point");
     if field.changed() {
-        let change = LandmarkChange::Height(height / factor);
+        let change = LandmarkChange::Height(height);
         changes.push((change, !field.dragged()));
     }
     let stated = landmark.orientation();
-    let mut degrees = stated.unwrap_or(0.0).to_degrees();
+    let mut direction = stated.unwrap_or(0.0);
     ui.label(muted(tokens, "Direction"));
-    let field = DragValue::new(&mut degrees)
-        .speed(0.5)
-        .custom_formatter(move |value, _| match stated {
-            Some(_) => format!("{value:.0}°"),
-            None => "none".to_owned(),
-        });
-    let field = ui
-        .add(field)
-        .accessible_name("Direction of the landmark, degrees from north");
+    let field = NumberField::new(f64::MIN..=f64::MAX).degrees();
+    let field = field.speed(0.5).decimals(1);
+    let field = field.words(move |value| match stated {
+        Some(_) => format!("{value:.0}°"),
+        None => "none".to_owned(),
+    });
+    let field = field.show(ui, &mut direction);
+    let field = field.accessible_name("Direction of the landmark, degrees from north");
     if field.changed() {
-        let change = LandmarkChange::Orientation(Some(degrees.to_radians()));
+        let change = LandmarkChange::Orientation(Some(direction));
         changes.push((change, !field.dragged()));
     }
     if stated.is_some() && icon_button(ui, tokens, Icon::Close, "No direction").clicked() {

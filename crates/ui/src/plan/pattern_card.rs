@@ -1,6 +1,6 @@
 //! Card of the pattern of a route, to be changed.
 
-use egui::{DragValue, Ui};
+use egui::Ui;
 use pilotage_core::mission::Route;
 
 use super::button::button;
@@ -8,7 +8,7 @@ use super::command::PlanCommand;
 use super::patterns::{CoveredGround, PassCircumstances, Pattern};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{caption, counted, icon_button, icons::Icon, muted};
+use crate::shell::{NumberField, caption, counted, icon_button, icons::Icon, muted};
 use crate::units::direction;
 
 /// Draws what a pattern is made of.
@@ -43,14 +43,13 @@ pub fn pattern_card(
                 let stated = next.course_deg;
                 let mut course = stated.unwrap_or(0.0);
                 ui.label(muted(tokens, "course"));
-                let field =
-                    DragValue::new(&mut course)
-                        .speed(1.0)
-                        .custom_formatter(move |value, _| match stated {
-                            Some(_) => format!("{:0>3}°", direction(value.to_radians(), 0)),
-                            None => "fewest passes".to_owned(),
-                        });
-                let field = ui.add(field).accessible_name("Course of the passes");
+                let field = NumberField::new(f64::MIN..=f64::MAX).decimals(1);
+                let field = field.words(move |value| match stated {
+                    Some(_) => format!("{:0>3}°", direction(value.to_radians(), 0)),
+                    None => "fewest passes".to_owned(),
+                });
+                let field = field.show(ui, &mut course);
+                let field = field.accessible_name("Course of the passes");
                 if field.changed() {
                     next.course_deg = Some(course.rem_euclid(360.0));
                 }
@@ -61,17 +60,10 @@ pub fn pattern_card(
                 }
             }
             CoveredGround::Corridor { width_m } => {
-                let mut width = *width_m * factor;
                 ui.label(muted(tokens, "width"));
-                let field = DragValue::new(&mut width)
-                    .range(1.0..=20_000.0)
-                    .speed(1.0)
-                    .fixed_decimals(0)
-                    .suffix(format!(" {unit}"));
-                let field = ui.add(field).accessible_name("Width of the corridor");
-                if field.changed() {
-                    *width_m = width / factor;
-                }
+                let field = NumberField::new(1.0..=20_000.0).unit((factor, unit));
+                let field = field.show(ui, width_m);
+                let field = field.accessible_name("Width of the corridor");
                 finished &= !field.dragged();
             }
         }
@@ -121,15 +113,6 @@ pub fn pattern_card(
 
 /// A share as a percentage; false while it is dragged.
 fn percent(ui: &mut Ui, name: &str, share: &mut f64) -> bool {
-    let mut shown = 100.0 * *share;
-    let field = DragValue::new(&mut shown)
-        .range(0.0..=95.0)
-        .speed(0.5)
-        .fixed_decimals(0)
-        .suffix(" %");
-    let field = ui.add(field).accessible_name(name);
-    if field.changed() {
-        *share = shown / 100.0;
-    }
-    !field.dragged()
+    let field = NumberField::new(0.0..=0.95).unit((100.0, "%")).speed(0.5);
+    !field.show(ui, share).accessible_name(name).dragged()
 }

@@ -1,6 +1,6 @@
 //! Rally points in the column: names, altitudes, a button for another one.
 
-use egui::{DragValue, Ui};
+use egui::Ui;
 use pilotage_core::frames::Altitude;
 
 use super::PlanCommand;
@@ -11,7 +11,7 @@ use super::planner::Planner;
 use super::purpose::Purpose;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{caption, icon_button, icons::Icon, muted};
+use crate::shell::{NumberField, caption, icon_button, icons::Icon, muted};
 
 /// Draws the card.
 pub fn rally_card(ui: &mut Ui, planner: &mut Planner, context: &mut ViewContext<'_>) {
@@ -65,17 +65,13 @@ fn name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut ViewCont
 /// Draws the altitude of a rally point.
 fn altitude(ui: &mut Ui, index: usize, context: &mut ViewContext<'_>) {
     let point = &context.mission.rally[index];
-    let (factor, unit) = context.units.length();
-    let mut value = point.altitude.metres * factor;
-    let field = DragValue::new(&mut value)
-        .speed(1.0)
-        .fixed_decimals(0)
-        .suffix(format!(" {unit}"));
-    let field = ui.add(field);
+    let mut metres = point.altitude.metres;
+    let field = NumberField::new(f64::MIN..=f64::MAX).unit(context.units.length());
+    let field = field.show(ui, &mut metres);
     let field = field.accessible_name(format!("Altitude of {}", point.name));
     ui.label(muted(context.tokens, point.altitude.frame.name()));
     if field.changed() {
-        let altitude = Altitude::new(value / factor, point.altitude.frame);
+        let altitude = Altitude::new(metres, point.altitude.frame);
         context.commands.push(Command::from(PlanCommand::EditRally {
             index,
             change: RallyChange::Altitude(altitude),

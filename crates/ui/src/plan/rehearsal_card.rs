@@ -1,6 +1,6 @@
 //! The rehearsal in the column, and its commands carried out.
 
-use egui::{DragValue, RichText, Ui};
+use egui::{RichText, Ui};
 use pilotage_core::plan::PredictionAgreement;
 use pilotage_jobs::{FlightSource, RehearsedFlight};
 use serde_json::Value;
@@ -13,7 +13,7 @@ use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::feature::FeatureContext;
-use crate::shell::{icon_button, icons::Icon, muted};
+use crate::shell::{NumberField, icon_button, icons::Icon, muted};
 use crate::state_json::object;
 
 impl Planner {
@@ -110,8 +110,9 @@ impl Planner {
         };
         ui.horizontal(|ui| {
             let mut count = preferences.flights;
-            let field = DragValue::new(&mut count).range(1..=MOST_FLIGHTS).speed(0.1);
-            if ui.add(field).accessible_name("Flights of a rehearsal").changed() {
+            let field = NumberField::whole(1..=MOST_FLIGHTS).speed(0.1);
+            let field = field.show(ui, &mut count);
+            if field.accessible_name("Flights of a rehearsal").changed() {
                 say(RehearseCommand::Flights(count));
             }
             ui.label(muted(context.tokens, "flights"));

@@ -1,6 +1,6 @@
 //! The ground that a plan counts its altitudes from: that of the elevation model, level elsewhere.
 
-use egui::{Align, DragValue, Layout, Ui};
+use egui::{Align, Layout, Ui};
 use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::mission::{Route, WayPoint};
@@ -11,7 +11,7 @@ use super::routes::EditStep;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::{Documents, OpenedTerrain};
-use crate::shell::{caption, muted};
+use crate::shell::{NumberField, caption, muted};
 use crate::units::Units;
 
 /// The height of the ground, metres above the datum of the elevation model, or above mean sea level
@@ -187,16 +187,14 @@ pub fn ground(ui: &mut Ui, relief: &Relief<'_>, route: &Route, context: &mut Vie
         caption(ui, tokens, "Height of the ground");
         if relief.is_level() || relief.unknown(route) > 0.0 {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let mut height = relief.level * factor;
-                let field = DragValue::new(&mut height)
-                    .range(-500.0 * factor..=9000.0 * factor)
-                    .speed(1.0)
-                    .fixed_decimals(0)
-                    .suffix(format!(" {unit} AMSL"));
-                let field = ui.add(field).accessible_name("Height of level ground");
+                let mut height = relief.level;
+                let field = NumberField::new(-500.0..=9000.0).unit((factor, unit));
+                let field = field.suffix(format!(" {unit} AMSL"));
+                let field = field.show(ui, &mut height);
+                let field = field.accessible_name("Height of level ground");
                 if field.changed() {
                     let command = PlanCommand::SetGround {
-                        height: height / factor,
+                        height,
                         finished: !field.dragged(),
                     };
                     context.commands.push(Command::from(command));

@@ -1,6 +1,8 @@
 //! Routes: which, its legs and totals, the wind, the limit, and what is predicted.
 
-use egui::{Align, DragValue, Layout, TextEdit, Ui, UiBuilder};
+use std::f64::consts::TAU;
+
+use egui::{Align, Layout, TextEdit, Ui, UiBuilder};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
@@ -21,7 +23,9 @@ use super::words::{PredictionFigures, distance_text};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{at_right, caption, heading, icon_button, icon_toggle, icons::Icon, muted};
+use crate::shell::{
+    NumberField, at_right, caption, heading, icon_button, icon_toggle, icons::Icon, muted,
+};
 use crate::units::{Units, direction};
 use pilotage_core::plan::{MOST_CIRCLES, circles_at, cruise};
 use pilotage_jobs::FlightSource;
@@ -254,15 +258,11 @@ fn prediction(
     ui.horizontal(|ui| {
         caption(ui, tokens, "Predicted accuracy");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let (factor, unit) = context.units.length();
-            let mut limit = planner.preferences.limit * factor;
-            let field = DragValue::new(&mut limit)
-                .range(1.0..=5000.0)
-                .speed(0.25)
-                .fixed_decimals(0)
-                .suffix(format!(" {unit}"));
-            if ui.add(field).accessible_name("Limit (1σ)").changed() {
-                let limit = PlanCommand::SetLimit(limit / factor);
+            let mut limit = planner.preferences.limit;
+            let field = NumberField::new(1.0..=5000.0).unit(context.units.length());
+            let field = field.speed(0.25).show(ui, &mut limit);
+            if field.accessible_name("Limit (1σ)").changed() {
+                let limit = PlanCommand::SetLimit(limit);
                 context.commands.push(Command::from(limit));
             }
             ui.label(muted(tokens, "limit (1σ)"));
@@ -418,9 +418,7 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
             ui,
             |_| {},
             |ui| {
-                let (factor, unit) = context.units.speed();
-                let mut speed = wind.speed * factor;
-                let mut from = wind.from.to_degrees().rem_euclid(360.0);
+                let mut from = wind.from.rem_euclid(TAU);
                 let back = if of_flight {
                     "Use the flight's wind"
                 } else {
@@ -437,21 +435,14 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
                     let command = PlanCommand::SetWind(None);
                     context.commands.push(Command::from(command));
                 }
-                let from_field = DragValue::new(&mut from)
-                    .range(0.0..=360.0)
-                    .speed(1.0)
-                    .fixed_decimals(0)
-                    .suffix("°");
-                let mut changed = ui.add(from_field).accessible_name("Wind from").changed();
-                let speed_field = DragValue::new(&mut speed)
-                    .range(0.0..=60.0)
-                    .speed(0.1)
-                    .fixed_decimals(1)
-                    .suffix(format!(" {unit}"));
-                changed |= ui.add(speed_field).accessible_name("Wind speed").changed();
-                if changed {
-                    wind.speed = speed / factor;
-                    wind.from = from.to_radians();
+                let field = NumberField::new(0.0..=TAU).degrees().show(ui, &mut from);
+                let is_turned = field.accessible_name("Wind from").changed();
+                if is_turned {
+                    wind.from = from;
+                }
+                let field = NumberField::new(0.0..=60.0).unit(context.units.speed());
+                let field = field.speed(0.1).decimals(1).show(ui, &mut wind.speed);
+                if field.accessible_name("Wind speed").changed() || is_turned {
                     let wind = PlanCommand::SetWind(Some(wind));
                     context.commands.push(Command::from(wind));
                 }

@@ -1,6 +1,6 @@
 //! Proposed landmarks listed, drawn on the map and added.
 
-use egui::{Align2, DragValue, Painter, Rect, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Painter, Rect, Shape, Stroke, Ui, vec2};
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::Suggestion;
@@ -16,7 +16,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::{Added, Brought, Documents};
 use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
-use crate::shell::{caption, icon_button, icons::Icon, muted};
+use crate::shell::{NumberField, caption, icon_button, icons::Icon, muted};
 use crate::tokens::Tokens;
 use pilotage_jobs::SuggestOrder;
 
@@ -91,9 +91,10 @@ impl Planner {
             let start = PlanCommand::Suggest(SuggestCommand::Start);
             button(ui, context, None, &label, false, start);
             let mut wanted = count;
-            let field = DragValue::new(&mut wanted).range(1..=99).speed(0.1);
+            let field = NumberField::new(1.0..=99.0).speed(0.1);
+            let field = field.show(ui, &mut wanted);
             let name = "How many landmarks to suggest";
-            if ui.add(field).accessible_name(name).changed() {
+            if field.accessible_name(name).changed() {
                 context.commands.push(say(SuggestCommand::Count(wanted)));
             }
         });

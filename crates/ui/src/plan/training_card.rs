@@ -1,6 +1,6 @@
 //! By which detector landmarks are looked for, and how the training of detectors goes.
 
-use egui::{Align2, DragValue, Label, ProgressBar, RichText, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Label, ProgressBar, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use pilotage_core::flight::Flight;
 use pilotage_core::landmark::cascade::train::StageRow;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
@@ -16,7 +16,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::documents::landmarks::LandmarkChange;
-use crate::shell::{caption, icon_button, icons::Icon, muted, tab};
+use crate::shell::{NumberField, caption, icon_button, icons::Icon, muted, tab};
 use crate::tokens::Tokens;
 use pilotage_jobs::TrainingOutcome;
 
@@ -138,12 +138,9 @@ impl Planner {
             let command = PlanCommand::Train(TrainCommand::Selected);
             button(ui, context, None, &label, false, command);
             let mut photos = self.preferences.photos;
-            let field = DragValue::new(&mut photos)
-                .range(PHOTOS)
-                .speed(1.0)
-                .suffix(" photos");
-            let field = ui.add(field).accessible_name("Photos to learn from");
-            if field.changed() {
+            let field = NumberField::whole(PHOTOS).speed(1.0).suffix(" photos");
+            let field = field.show(ui, &mut photos);
+            if field.accessible_name("Photos to learn from").changed() {
                 context.commands.push(say(TrainCommand::Photos(photos)));
             }
         });

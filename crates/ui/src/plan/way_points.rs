@@ -1,8 +1,8 @@
 //! The table of way-points and legs, with a keyboard path for everything the map does.
 
 use egui::{
-    Align2, ComboBox, DragValue, EventFilter, Key, Painter, Rect, Role, Sense, Ui, UiBuilder,
-    WidgetInfo, pos2, vec2,
+    Align2, ComboBox, EventFilter, Key, Painter, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo,
+    pos2, vec2,
 };
 use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
 use pilotage_core::mission::{Route, WayPointAction};
@@ -17,7 +17,7 @@ use super::symbols::paint_home;
 use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row};
+use crate::shell::{NumberField, icon_button, icons::Icon, muted, paint_focus_ring, paint_row};
 use crate::tokens::Tokens;
 use crate::units::Units;
 use pilotage_core::plan::cruise;
@@ -376,16 +376,13 @@ fn altitude(
     reference: &AltitudeReference,
     context: &ViewContext<'_>,
 ) -> Option<PlanCommand> {
-    let (factor, unit) = context.units.length();
-    let mut value = now.metres * factor;
-    let field = DragValue::new(&mut value)
-        .speed(1.0)
-        .fixed_decimals(0)
-        .suffix(format!(" {unit}"));
-    let field = ui.add(field).accessible_name("Altitude of the way-point");
+    let mut metres = now.metres;
+    let field = NumberField::new(f64::MIN..=f64::MAX).unit(context.units.length());
+    let field = field.show(ui, &mut metres);
+    let field = field.accessible_name("Altitude of the way-point");
     let mut altitude = None;
     if field.changed() {
-        altitude = Some(Altitude::new(value / factor, now.frame));
+        altitude = Some(Altitude::new(metres, now.frame));
     }
     let combo = ComboBox::from_id_salt("frame").width(104.0);
     let combo = combo.selected_text(now.frame.name()).show_ui(ui, |ui| {
@@ -414,19 +411,15 @@ fn speed(
     index: usize,
     context: &ViewContext<'_>,
 ) -> Option<PlanCommand> {
-    let (factor, unit) = context.units.speed();
-    let mut value = now.unwrap_or_else(cruise) * factor;
-    let field = DragValue::new(&mut value)
-        .range(5.0 * factor..=100.0 * factor)
-        .speed(0.1)
-        .fixed_decimals(1)
-        .suffix(format!(" {unit}"));
-    let field = ui.add(field).accessible_name("Airspeed on the leg to it");
+    let mut value = now.unwrap_or_else(cruise);
+    let field = NumberField::new(5.0..=100.0).unit(context.units.speed());
+    let field = field.speed(0.1).decimals(1).show(ui, &mut value);
+    let field = field.accessible_name("Airspeed on the leg to it");
     let finished = !field.dragged();
     if field.changed() {
         return Some(PlanCommand::SetSpeed {
             index,
-            speed: Some(value / factor),
+            speed: Some(value),
             finished,
         });
     }

@@ -1,13 +1,15 @@
 //! The selected road, or how many there are of each class, on a card over the map.
 
-use egui::{ComboBox, DragValue, Label, Rect, RichText, TextEdit, Ui};
+use std::ops::RangeInclusive;
+
+use egui::{ComboBox, Label, Rect, RichText, TextEdit, Ui};
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::Roads;
 use super::command::{RoadChange, RoadCommand, change};
 use crate::context::ViewContext;
 use crate::map::MapCard;
-use crate::shell::{muted, text_button};
+use crate::shell::{NumberField, muted, text_button};
 
 /// The card.
 const CARD: MapCard = MapCard {
@@ -17,7 +19,7 @@ const CARD: MapCard = MapCard {
     width: 224.0,
 };
 /// Widths of roads that can be set, metres.
-const WIDTHS: (f64, f64) = (0.5, 60.0);
+const WIDTHS: RangeInclusive<f64> = 0.5..=60.0;
 
 impl Roads {
     /// Draws the card beside the map's controls; the part of the map that it covers.
@@ -95,15 +97,13 @@ impl Roads {
             });
             shown.response.accessible_name("Class of the road");
             let (factor, unit) = context.units.length();
-            let mut value = road.width * factor;
-            let field = DragValue::new(&mut value)
-                .range(WIDTHS.0 * factor..=WIDTHS.1 * factor)
-                .speed(0.1)
-                .fixed_decimals(1)
-                .suffix(format!(" {unit} wide"));
-            let field = ui.add(field).accessible_name("Width of the road");
+            let mut width = road.width;
+            let field = NumberField::new(WIDTHS).unit((factor, unit));
+            let field = field.suffix(format!(" {unit} wide"));
+            let field = field.speed(0.1).decimals(1).show(ui, &mut width);
+            let field = field.accessible_name("Width of the road");
             if field.changed() || field.drag_stopped() {
-                let width = RoadChange::Width(value / factor);
+                let width = RoadChange::Width(width);
                 said.push(change(width, !field.dragged()));
             }
         });

@@ -1,6 +1,8 @@
 //! The dialog that simulates a flight.
 
-use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
+use std::f64::consts::TAU;
+
+use egui::{Frame, Id, Modal, RichText, Ui};
 use pilotage_core::simulate::SimulationChoice;
 
 use super::command::SimulateCommand;
@@ -8,7 +10,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::feature_command::{FeatureCommand, STUDIES};
 use crate::plan::{PlanCommand, RehearseCommand};
-use crate::shell::{caption, icons::Icon, muted, text_button, title};
+use crate::shell::{NumberField, caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
 use pilotage_jobs::SimulationOptions;
@@ -205,38 +207,14 @@ impl SimulateDialog {
         ui.checkbox(&mut self.own_wind, "Override wind");
         ui.add_enabled_ui(self.own_wind, |ui| {
             ui.horizontal(|ui| {
-                let mut degrees = self.wind_from.to_degrees();
                 let label = ui.label("From");
-                if ui
-                    .add(
-                        DragValue::new(&mut degrees)
-                            .range(0.0..=360.0)
-                            .suffix("°")
-                            .speed(1.0)
-                            .max_decimals(0),
-                    )
-                    .labelled_by(label.id)
-                    .changed()
-                {
-                    self.wind_from = degrees.to_radians();
-                }
-                let (factor, unit) = units.speed();
-                let mut speed = self.wind_speed * factor;
+                let from = NumberField::new(0.0..=TAU).degrees();
+                from.show(ui, &mut self.wind_from).labelled_by(label.id);
                 let label = ui.label("at");
-                if ui
-                    .add(
-                        DragValue::new(&mut speed)
-                            .range(0.0..=12.0 * factor)
-                            .suffix(format!(" {unit}"))
-                            .speed(0.1)
-                            .max_decimals(1),
-                    )
-                    .labelled_by(label.id)
-                    .on_hover_text("Wind speed")
-                    .changed()
-                {
-                    self.wind_speed = speed / factor;
-                }
+                let speed = NumberField::new(0.0..=12.0).unit(units.speed());
+                let speed = speed.speed(0.1).decimals(1);
+                let speed = speed.show(ui, &mut self.wind_speed);
+                speed.labelled_by(label.id).on_hover_text("Wind speed");
             });
         });
     }
@@ -245,25 +223,17 @@ impl SimulateDialog {
         caption(ui, tokens, "Height above ground");
         ui.checkbox(&mut self.own_height, "Another height than the scenario’s");
         ui.add_enabled_ui(self.own_height, |ui| {
-            let (factor, unit) = units.length();
-            let mut height = self.height * factor;
-            let field = ui.add(
-                DragValue::new(&mut height)
-                    .range(60.0 * factor..=600.0 * factor)
-                    .suffix(format!(" {unit}"))
-                    .max_decimals(0),
-            );
-            if field.accessible_name("Height above ground").changed() {
-                self.height = height / factor;
-            }
+            let field = NumberField::new(60.0..=600.0).unit(units.length());
+            let field = field.show(ui, &mut self.height);
+            field.accessible_name("Height above ground");
         });
     }
 
     fn seed(&mut self, ui: &mut Ui, tokens: &Tokens) {
         caption(ui, tokens, "Random seed");
         ui.horizontal(|ui| {
-            ui.add(DragValue::new(&mut self.seed).range(0..=999_999))
-                .accessible_name("Seed");
+            let field = NumberField::new(0.0..=999_999.0).speed(0.25);
+            field.show(ui, &mut self.seed).accessible_name("Seed");
             ui.label(
                 RichText::new("The same seed gives the same flight, gust for gust.")
                     .font(tokens.small())

@@ -1,6 +1,6 @@
 //! The form in which a study is chosen, and its plan as text.
 
-use egui::{DragValue, Id, Label, RichText, TextEdit, Ui};
+use egui::{Id, Label, RichText, TextEdit, Ui};
 use pilotage_core::text::capitalised;
 use pilotage_study::{SHIPPED_PLANS, StopRule, StudyMeasure, StudyPlan, question_of};
 
@@ -8,7 +8,7 @@ use super::command::StudyCommand;
 use super::draft::{DRAWS, StudyDraft, plan_of_routes, with_draws};
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
-use crate::shell::{caption, counted, muted, text_button};
+use crate::shell::{NumberField, caption, counted, muted, text_button};
 use crate::views::parts;
 
 /// Wall-clock time per second of flight before any study was flown, milliseconds of all workers together.
@@ -82,7 +82,7 @@ fn flights(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft) {
         };
         let mut count = draws;
         let range = *DRAWS.start()..=(*DRAWS.end()).max(draws);
-        let field = ui.add(DragValue::new(&mut count).range(range).speed(1.0));
+        let field = NumberField::whole(range).speed(1.0).show(ui, &mut count);
         if field.labelled_by(label.id).changed() {
             draft.set_draws(count);
         }

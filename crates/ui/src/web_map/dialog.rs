@@ -1,6 +1,6 @@
 //! The dialog that opens a map of the web: by a template of tiles, or a file read by pieces.
 
-use egui::{DragValue, Frame, Id, Modal, ScrollArea, TextEdit, Ui};
+use egui::{Frame, Id, Modal, ScrollArea, TextEdit, Ui};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::web_tiles::TileTemplate;
 use pilotage_core::place_text::place_of_text;
@@ -10,7 +10,7 @@ use super::address::{host_of, is_file};
 use super::services::{SERVICES, WebService, service_at};
 use crate::command::Command;
 use crate::host::Download;
-use crate::shell::{caption, muted, text_button, title};
+use crate::shell::{NumberField, caption, muted, text_button, title};
 use crate::tokens::Tokens;
 use pilotage_jobs::WebMap;
 
@@ -167,11 +167,10 @@ impl WebMapDialog {
             ui.horizontal(|ui| {
                 ui.label("Zooms from");
                 let (least, most) = &mut self.zooms;
-                ui.add(DragValue::new(least).range(0..=22))
-                    .accessible_name("Coarsest zoom");
+                let zoom = || NumberField::new(0.0..=22.0).speed(0.25);
+                zoom().show(ui, least).accessible_name("Coarsest zoom");
                 ui.label("to");
-                ui.add(DragValue::new(most).range(0..=22))
-                    .accessible_name("Deepest zoom");
+                zoom().show(ui, most).accessible_name("Deepest zoom");
             });
             if scene.origin.is_none() || self.is_elsewhere {
                 caption(ui, tokens, "Where to begin");
@@ -271,8 +270,8 @@ impl WebMapDialog {
         *deepest = (*deepest).clamp(least, most);
         ui.horizontal(|ui| {
             ui.label("What is in sight, down to zoom");
-            ui.add(DragValue::new(deepest).range(least..=most))
-                .accessible_name("Deepest zoom to download");
+            let field = NumberField::whole(least..=most).show(ui, deepest);
+            field.accessible_name("Deepest zoom to download");
         });
         let zooms = (least, *deepest);
         let count = map.count_over(&visible, zooms);

@@ -8,7 +8,7 @@ use pilotage_jobs::{ImportedFile, Job, OpenOrder, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
 use super::super::support::{Rig, flight::mission, rig};
-use super::{draw, planning};
+use super::{choose, draw, planning};
 
 fn opened(rig: &mut Rig, file: ImportedFile) {
     rig.host().opens = Some(OpenedFiles {
@@ -202,5 +202,41 @@ fn the_landmarks_are_exported_from_the_palette() {
         assert_eq!(back.format, format, "{name}");
         let names: Vec<_> = back.landmarks.iter().map(|l| l.name.as_str()).collect();
         assert_eq!(names, ["Barn", "Chapel", "Pool", "Mill"], "{name}");
+    }
+}
+
+#[test]
+fn way_points_of_a_file_that_are_looked_at_stay_what_they_are() {
+    let mut rig = planning();
+    let mut slow = file();
+    slow.routes[0].way_points[1].speed = Some(3.0);
+    slow.routes[0].way_points[0].altitude.metres = 2.0 / 3.0;
+    opened(&mut rig, slow);
+    let now = |rig: &Rig| {
+        let state = rig.state();
+        let way_points = state["plan"]["routes"][0]["way_points"].as_array();
+        let numbers = way_points.expect("a route").iter();
+        let numbers = numbers.map(|it| (it["altitude"].clone(), it["speed"].clone()));
+        (numbers.collect::<Vec<_>>(), state["undo"].clone())
+    };
+    let before = now(&rig);
+    assert_eq!(before.0[1].1, 3.0);
+    for _ in 0..2 {
+        for way_point in [2, 1] {
+            choose(&mut rig, way_point);
+            rig.settle();
+            let field = "Altitude of the way-point";
+            rig.harness.get_by_label(field).focus();
+            rig.frames(2);
+            for _ in 0..4 {
+                rig.key(egui::Key::Tab);
+            }
+            rig.settle();
+            assert_eq!(now(&rig), before, "way-point {way_point}");
+        }
+        // The same in feet and knots.
+        rig.harness.get_by_label("Name of the route").focus();
+        rig.key(egui::Key::Escape);
+        rig.key(egui::Key::U);
     }
 }
