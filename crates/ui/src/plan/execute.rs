@@ -14,6 +14,7 @@ use super::planner::{Planner, made_for};
 use super::rally::edit_rally_points;
 use super::routes::{EditStep, like};
 use super::tab::PlanTab;
+use crate::context::route_of;
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use pilotage_jobs::FlightSource;
@@ -213,6 +214,7 @@ impl Planner {
                     let pattern = Pattern::new(cover, &line, &made_for.frame);
                     let mut new = Route::default();
                     pattern.apply(&mut new, altitude, &made_for);
+                    documents.relief().keep_heights(&route, &mut new);
                     documents.mission.route = Some(documents.add_made(new, "Corridor"));
                     self.way_point = None;
                 }
@@ -232,9 +234,10 @@ impl Planner {
                     return;
                 }
                 let command = PlanCommand::DeleteWayPoint(which);
-                documents.edit_route(id, EditStep::Whole, |r| change(r, &command));
+                edit_as_high(id, &command, documents);
                 self.way_point = None;
             }
+            PlanCommand::Reverse => edit_as_high(id, &command, documents),
             other => {
                 let laid = self.laid_anew(&other, documents);
                 documents.edit_route(id, step_of(&other), |route| match laid {
@@ -326,6 +329,16 @@ fn ends_pattern(route: &Route, command: &PlanCommand) -> bool {
         }
         PlanCommand::SetSpeed { index, .. } => *index != 1,
         _ => false,
+    }
+}
+
+/// Does to a route what a command says that lets it begin elsewhere, as high as before.
+fn edit_as_high(id: u32, command: &PlanCommand, documents: &mut Documents) {
+    if let Some(before) = route_of(&documents.mission, id) {
+        let mut route = before.clone();
+        change(&mut route, command);
+        documents.relief().keep_heights(before, &mut route);
+        documents.edit_route(id, EditStep::Whole, |it| *it = route);
     }
 }
 

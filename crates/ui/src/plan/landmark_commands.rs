@@ -62,14 +62,17 @@ impl Planner {
     pub(super) fn add_survey(&mut self, corners: &[GroundPoint], context: &mut FeatureContext<'_>) {
         let documents = &mut *context.documents;
         let usual = flown::usual_altitude(documents);
-        let altitude = documents.mission.selected_route();
-        let altitude = altitude
-            .and_then(|r| r.way_points.first())
-            .map_or(usual, |w| w.altitude);
-        let made_for = circumstances(self, documents, altitude, corners);
+        let selected = documents.mission.selected_route();
+        let first = selected.and_then(|r| Some((r, r.way_points.first()?.altitude)));
+        let relief = documents.relief();
+        let height = first.and_then(|(r, _)| relief.first_altitude(r));
+        let made_for = circumstances(self, documents, height.unwrap_or(usual), corners);
         let pattern = Pattern::new(CoveredGround::Survey, corners, &made_for.frame);
         let mut route = Route::default();
-        pattern.apply(&mut route, altitude, &made_for);
+        pattern.apply(&mut route, first.map_or(usual, |it| it.1), &made_for);
+        if let Some((selected, _)) = first {
+            relief.keep_heights(selected, &mut route);
+        }
         documents.mission.route = Some(documents.add_made(route, "Survey"));
         self.tab = PlanTab::Route;
         self.way_point = None;

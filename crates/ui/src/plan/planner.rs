@@ -286,7 +286,7 @@ pub fn made_for(
     route: Option<&Route>,
 ) -> PassCircumstances {
     let way_points = route.map_or(&[][..], |r| &r.way_points);
-    let first = way_points.first().map(|w| w.altitude);
+    let first = route.and_then(|it| documents.relief().first_altitude(it));
     let altitude = first.unwrap_or_else(|| usual_altitude(documents));
     let places: Vec<GroundPoint> = way_points.iter().map(|w| w.position).collect();
     circumstances(planner, documents, altitude, &places)

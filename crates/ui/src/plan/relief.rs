@@ -1,7 +1,7 @@
 //! The ground that a plan counts its altitudes from: that of the elevation model, level elsewhere.
 
 use egui::{Align, Layout, Ui};
-use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint, LocalFrame};
+use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::plan::{RouteGround, profile, take_off_place};
@@ -59,6 +59,25 @@ impl Relief<'_> {
     pub fn take_off(&self, route: &Route) -> f64 {
         let place = self.take_off_place(route);
         place.map_or(self.level, |place| self.at(&place))
+    }
+
+    /// Lets a route that was made of `before` lead as high as that: its altitudes above take-off count from a take-off of
+    /// its own.
+    pub fn keep_heights(&self, before: &Route, route: &mut Route) {
+        route.raise_above_take_off(self.take_off(before) - self.take_off(route));
+    }
+
+    /// The altitude of a route's first way-point, above the sea where it is one above take-off: as high for routes that
+    /// take off elsewhere.
+    pub fn first_altitude(&self, route: &Route) -> Option<Altitude> {
+        let first = route.way_points.first()?;
+        let reference = self.reference(route, &first.position);
+        Some(match first.altitude.frame {
+            AltitudeFrame::AboveTakeOff => {
+                first.altitude.counted_from(AltitudeFrame::Amsl, &reference)
+            }
+            _ => first.altitude,
+        })
     }
 
     /// Place from whose ground altitudes above take-off are counted.

@@ -6,6 +6,7 @@ use pilotage_core::imagery::terrain::HeightGrid;
 use super::super::flown::{height, line};
 use super::super::planner::Planner;
 use super::*;
+use crate::context::route_of;
 use crate::documents::Session;
 
 const AREA: f64 = 4000.0;
@@ -209,4 +210,46 @@ fn ground_nearer_than_the_clearance_is_too_high_unless_the_route_follows_it() {
     );
     let low = highest(&mut documents, 40.0, AltitudeFrame::AboveGround);
     assert_eq!(low, Some(f64::NEG_INFINITY));
+}
+
+#[test]
+fn a_route_that_begins_elsewhere_leads_as_high_as_before() {
+    let mut documents = documents(geoid());
+    // Take-off at 400 m; way-points over 400, 480 and 440 m.
+    let id = documents.add_made(
+        route(120.0, AltitudeFrame::AboveTakeOff, &[0.0, 1000.0, 1200.0]),
+        "Route",
+    );
+    let of = |documents: &Documents, id| route_of(&documents.mission, id).unwrap().clone();
+    let metres = |route: &Route| {
+        let metres = route.way_points.iter().map(|w| w.altitude.metres.round());
+        metres.collect::<Vec<_>>()
+    };
+    let whole = of(&documents, id);
+    let relief = documents.relief();
+    let mut back = whole.reversed();
+    relief.keep_heights(&whole, &mut back);
+    assert_eq!(metres(&back), [80.0; 3], "take-off at 440 m");
+    for (now, then) in back.way_points.iter().zip(whole.way_points.iter().rev()) {
+        let heights = [(&back, now), (&whole, then)];
+        let heights = heights.map(|(route, it)| relief.above(route, it));
+        assert!((heights[0] - heights[1]).abs() < 1e-9, "{heights:?}");
+    }
+    let mut again = back.reversed();
+    relief.keep_heights(&back, &mut again);
+    assert_eq!(again, whole);
+    assert_eq!(
+        relief.first_altitude(&whole),
+        Some(Altitude::new(520.0, AltitudeFrame::Amsl))
+    );
+    let second = documents.split_route(id, 1).unwrap();
+    assert_eq!(metres(&of(&documents, id)), [120.0; 2]);
+    assert_eq!(metres(&of(&documents, second)), [40.0; 2], "from 480 m");
+    // Other altitudes are as they were.
+    let level = documents.add_made(
+        route(520.0, AltitudeFrame::Amsl, &[0.0, 1000.0, 1200.0]),
+        "Route",
+    );
+    let second = documents.split_route(level, 1).unwrap();
+    assert_eq!(metres(&of(&documents, second)), [520.0; 2]);
 }

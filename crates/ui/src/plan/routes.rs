@@ -130,7 +130,9 @@ impl Documents {
 
     /// Makes two routes of one at a way-point; the second one's id. Parts of a pattern are none.
     pub fn split_route(&mut self, id: u32, index: usize) -> Option<u32> {
-        let (mut first, mut second) = route_of(&self.mission, id)?.split(index)?;
+        let whole = route_of(&self.mission, id)?;
+        let (mut first, mut second) = whole.split(index)?;
+        self.relief().keep_heights(whole, &mut second);
         Pattern::release(&mut first);
         Pattern::release(&mut second);
         self.mission.remember();

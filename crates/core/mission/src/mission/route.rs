@@ -176,6 +176,28 @@ impl Route {
         }
     }
 
+    /// Adds metres to its altitudes above take-off: by how much the ground at the take-off before is higher than that at
+    /// the one now, where the route shall stay as high.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
+    /// use pilotage_mission::mission::{Route, WayPoint};
+    ///
+    /// // 120 m above ground at 550 m, counted from 400 m.
+    /// let altitude = Altitude::new(120.0, AltitudeFrame::AboveTakeOff);
+    /// let way_points = vec![WayPoint::new(GroundPoint::default(), altitude)];
+    /// let mut route = Route { way_points, ..Route::default() };
+    /// route.raise_above_take_off(550.0 - 400.0);
+    /// assert_eq!(route.way_points[0].altitude.metres, 270.0);
+    /// ```
+    pub fn raise_above_take_off(&mut self, metres: f64) {
+        for way_point in &mut self.way_points {
+            if way_point.altitude.frame == AltitudeFrame::AboveTakeOff {
+                way_point.altitude.metres += metres;
+            }
+        }
+    }
+
     /// The route up to way-point `index` and the rest from there on, both with it; `None` at an end.
     pub fn split(&self, index: usize) -> Option<(Self, Self)> {
         if index == 0 || index + 1 >= self.way_points.len() {

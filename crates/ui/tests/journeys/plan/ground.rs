@@ -175,3 +175,46 @@ fn a_found_route_keeps_clear_of_high_ground_by_what_is_asked() {
     assert!((over - 600.0).abs() < 12.0, "{over}");
     assert_eq!(count(&rig, "Straight"), 1);
 }
+
+#[test]
+fn a_route_turned_round_cut_or_followed_by_a_corridor_keeps_its_heights() {
+    let mut rig = planning();
+    open_heights(&mut rig);
+    // From the ridge at 500 m to the ground at 400 m.
+    draw(&mut rig, &[(0.0, 0.0), (110.0, 70.0), (60.0, 300.0)]);
+    choose(&mut rig, 1);
+    set(&mut rig, "Altitude of the way-point", 120.0);
+    frame(&mut rig, "above take-off");
+    rig.harness
+        .get_by_label("This altitude for all way-points")
+        .click_accesskit();
+    rig.settle();
+    let altitudes = |rig: &Rig, route: usize| {
+        let state = rig.state();
+        let way_points = state["plan"]["routes"][route]["way_points"].clone();
+        let way_points = way_points.as_array().cloned().unwrap_or_default();
+        let metres = way_points.iter().map(|w| w["altitude"].as_f64());
+        metres
+            .map(|it| it.expect("metres").round())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(altitudes(&rig, 0), [120.0; 3]);
+    rig.key(Key::X);
+    assert_eq!(altitudes(&rig, 0), [220.0; 3], "take-off at 400 m");
+    rig.key(Key::X);
+    assert_eq!(altitudes(&rig, 0), [120.0; 3]);
+    rig.key(Key::Delete);
+    assert_eq!(altitudes(&rig, 0), [220.0; 2], "it begins at 400 m");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(altitudes(&rig, 0), [120.0; 3]);
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    let words = "fly a corridor along the route";
+    rig.harness.event(egui::Event::Text(words.into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.settle();
+    // It begins beside the ridge, at 400 m.
+    let corridor = altitudes(&rig, 1);
+    assert_eq!(corridor, vec![220.0; corridor.len()]);
+    assert!(corridor.len() >= 6, "{corridor:?}");
+}
