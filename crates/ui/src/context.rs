@@ -107,6 +107,12 @@ impl<'a> ViewContext<'a> {
         shown_frame(self.flight?, self.time)
     }
 
+    /// Says something before all else of this frame. What a field is left with is about the thing that it showed, and not
+    /// about the one that is selected, or has that number, once what was pressed instead is done.
+    pub fn say_first(&mut self, command: impl Into<Command>) {
+        self.commands.insert(0, command.into());
+    }
+
     /// That a view drew what is of time `content` for the cursor.
     pub fn drawn(&self, content: f64) -> Option<DrawnTimes> {
         let cursor = self.time;

@@ -109,8 +109,13 @@ pub enum PlanCommand {
     DuplicateRoute,
     /// Delete the selected route.
     DeleteRoute,
-    /// Name the selected route.
-    RenameRoute(String),
+    /// Name a route.
+    RenameRoute {
+        /// Its id.
+        id: u32,
+        /// The name.
+        name: String,
+    },
     /// The standard deviation that is accepted, metres.
     SetLimit(f64),
     /// Action at a way-point; `finished` as for a drag.

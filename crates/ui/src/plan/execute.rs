@@ -190,7 +190,7 @@ impl Planner {
                     self.way_point = None;
                 }
             }
-            PlanCommand::RenameRoute(name) => documents.rename_route(id, &name),
+            PlanCommand::RenameRoute { id, name } => documents.rename_route(id, &name),
             PlanCommand::DuplicateRoute => {
                 documents.mission.route = documents.duplicate_route(id).or(Some(id));
             }

@@ -96,13 +96,11 @@ impl LandmarkEditor {
             ui.add(egui::Label::new(muted(tokens, place)).truncate());
         });
         for (change, finished) in changes {
-            context
-                .commands
-                .push(Command::from(PlanCommand::EditLandmarks {
-                    ids: ids.clone(),
-                    change,
-                    finished,
-                }));
+            context.say_first(PlanCommand::EditLandmarks {
+                ids: ids.clone(),
+                change,
+                finished,
+            });
         }
     }
 

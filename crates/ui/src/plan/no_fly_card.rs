@@ -94,10 +94,10 @@ fn area_name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut Vie
     let width = 0.6 * ui.available_width();
     let typed = name_field(ui, &mut planner.area_draft, (index, &area.name), width);
     if let Some(name) = typed {
-        context.commands.push(Command::from(PlanCommand::EditArea {
+        context.say_first(PlanCommand::EditArea {
             index,
             change: AreaChange::Name(name),
             finished: true,
-        }));
+        });
     }
 }

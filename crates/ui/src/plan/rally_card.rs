@@ -54,11 +54,11 @@ fn name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut ViewCont
     let width = 0.4 * ui.available_width();
     let typed = name_field(ui, &mut planner.rally_draft, (index, &point.name), width);
     if let Some(name) = typed {
-        context.commands.push(Command::from(PlanCommand::EditRally {
+        context.say_first(PlanCommand::EditRally {
             index,
             change: RallyChange::Name(name),
             finished: true,
-        }));
+        });
     }
 }
 

@@ -185,7 +185,7 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
         if field.lost_focus() {
             let name = draft.trim().to_owned();
             if !name.is_empty() {
-                say.push(PlanCommand::RenameRoute(name));
+                context.say_first(PlanCommand::RenameRoute { id: route.id, name });
             }
             planner.name_draft = None;
         } else if !field.has_focus() {

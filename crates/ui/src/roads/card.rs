@@ -79,11 +79,10 @@ impl Roads {
             .hint_text("Name");
         let field = ui.add(field.desired_width(CARD.width - 8.0));
         let field = field.accessible_name("Name of the road");
-        if field.changed() {
-            said.push(change(RoadChange::Name(name.clone()), false));
-        }
         if field.lost_focus() {
-            said.push(change(RoadChange::Name(name.trim().to_owned()), true));
+            context.say_first(change(RoadChange::Name(name.trim().to_owned()), true));
+        } else if field.changed() {
+            said.push(change(RoadChange::Name(name), false));
         }
         ui.horizontal(|ui| {
             let combo = ComboBox::from_id_salt("class").width(112.0);

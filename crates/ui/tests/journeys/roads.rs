@@ -254,3 +254,28 @@ fn a_point_that_undo_took_back_is_no_longer_selected() {
     rig.frames(2);
     assert_eq!(course(&rig), [drawn[0], drawn[2]]);
 }
+
+#[test]
+fn a_road_keeps_its_name_when_another_one_is_clicked_from_its_field() {
+    let mut rig = drawing();
+    draw(&mut rig, &[(0.0, -80.0), (0.0, 80.0)]);
+    rig.key(Key::Enter);
+    draw(&mut rig, &[(60.0, -80.0), (60.0, 80.0)]);
+    let name = |rig: &mut Rig, text: &str| {
+        rig.harness.get_by_label("Name of the road").focus();
+        rig.frames(2);
+        rig.harness.event(egui::Event::Text(text.to_owned()));
+        rig.frames(2);
+    };
+    name(&mut rig, "High Street");
+    click(&mut rig, 0.0, 40.0);
+    assert_eq!(of(&rig, "selected")["name"], "");
+    name(&mut rig, "Mill Lane");
+    click(&mut rig, 60.0, 40.0);
+    assert_eq!(of(&rig, "selected")["name"], "High Street");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    click(&mut rig, 0.0, 40.0);
+    assert_eq!(of(&rig, "selected")["name"], "", "a step of its own");
+    click(&mut rig, 60.0, 40.0);
+    assert_eq!(of(&rig, "selected")["name"], "High Street");
+}

@@ -202,3 +202,25 @@ fn what_was_put_away_comes_back_after_another_tool_was_begun_and_left() {
     assert_eq!(marked(&rig), Some(("NoFlyArea".to_owned(), 3)));
     assert_eq!(rig.state()["plan"]["no_fly"][0], 4, "the area is untouched");
 }
+
+#[test]
+fn the_name_typed_for_an_area_is_its_own_though_another_one_is_deleted_next() {
+    let mut rig = planning();
+    draw_area(&mut rig);
+    draw_area(&mut rig);
+    draw_area(&mut rig);
+    let names = |rig: &Rig| {
+        let areas = rig.state()["plan"]["areas"].as_array().cloned();
+        let areas = areas.unwrap_or_default().into_iter();
+        areas.map(|it| it["name"].clone()).collect::<Vec<_>>()
+    };
+    let label = "Name of No-fly area 2";
+    rig.harness.get_by_label(label).focus();
+    rig.frames(2);
+    rig.key_with(Modifiers::COMMAND, Key::A);
+    rig.harness.event(egui::Event::Text("Airfield".into()));
+    rig.frames(2);
+    rig.harness.get_by_label("Delete No-fly area 1").click();
+    rig.settle();
+    assert_eq!(names(&rig), ["Airfield", "No-fly area 3"]);
+}

@@ -201,3 +201,44 @@ fn circles_lengthen_what_is_predicted() {
     let circle = std::f64::consts::TAU * 80.0;
     assert!((0.7 * circle..1.5 * circle).contains(&longer), "{longer} m");
 }
+
+#[test]
+fn a_name_is_that_of_the_route_whose_field_it_was_typed_in_whatever_is_clicked_next() {
+    let mut rig = planning();
+    draw(&mut rig, &BEND);
+    draw(&mut rig, &[(-90.0, -300.0), (-90.0, 300.0)]);
+    let names = |rig: &Rig| {
+        let names = routes(rig).into_iter().map(|it| it["name"].clone());
+        names.collect::<Vec<_>>()
+    };
+    let chip = |rig: &mut Rig, name: &str| {
+        rig.harness.get_by_label(name).click();
+        rig.frames(3);
+    };
+    chip(&mut rig, "Route 1");
+    // Nothing is typed.
+    rig.harness.get_by_label("Name of the route").click();
+    rig.frames(3);
+    chip(&mut rig, "Route 2");
+    assert_eq!(names(&rig), ["Route 1", "Route 2"]);
+    rig.harness.get_by_label("Name of the route").click();
+    rig.frames(3);
+    rig.key_with(egui::Modifiers::COMMAND, Key::A);
+    rig.harness.event(egui::Event::Text("Field".into()));
+    rig.frames(2);
+    chip(&mut rig, "Route 1");
+    assert_eq!(names(&rig), ["Route 1", "Field"]);
+    rig.harness.get_by_label("Name of the route").click();
+    rig.frames(3);
+    rig.key(Key::End);
+    rig.harness.event(egui::Event::Text(", home".into()));
+    rig.frames(2);
+    rig.open_tab("Replay");
+    rig.settle();
+    let state = rig.state();
+    assert_eq!(
+        state["workspace"], "Replay",
+        "a name brings nobody back to the plan"
+    );
+    assert_eq!(names(&rig), ["Route 1, home", "Field"]);
+}
