@@ -163,6 +163,7 @@ impl Planner {
             let usual = flown::usual_altitude(documents);
             if let Some(id) = documents.mission.route {
                 documents.edit_route(id, EditStep::Whole, |route| {
+                    change(route, &command);
                     let new = like(route.way_points.last(), at, usual);
                     lead_on(route, new);
                 });
@@ -310,7 +311,8 @@ fn step_of(command: &PlanCommand) -> EditStep {
 fn ends_pattern(route: &Route, command: &PlanCommand) -> bool {
     let last = route.way_points.len().saturating_sub(1);
     match command {
-        PlanCommand::MoveWayPoint { .. }
+        PlanCommand::AddWayPoint(_)
+        | PlanCommand::MoveWayPoint { .. }
         | PlanCommand::InsertWayPoint { .. }
         | PlanCommand::DeleteWayPoint(_)
         | PlanCommand::ReleasePattern
@@ -444,6 +446,7 @@ mod tests {
             (altitude(Some(4)), false),
             (speed(1), true),
             (speed(3), false),
+            (PlanCommand::AddWayPoint(None), false),
         ] {
             let mut route = surveyed();
             change(&mut route, &command);

@@ -175,3 +175,18 @@ fn a_survey_that_is_flown_at_half_the_height_takes_twice_the_passes() {
     rig.settle();
     assert!(rig.harness.query_by_label_contains(stale).is_none());
 }
+
+#[test]
+fn a_way_point_added_to_a_corridor_stays_when_its_altitude_is_set() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (60.0, 0.0), (0.0, 300.0)]);
+    command(&mut rig, "fly a corridor along the route");
+    let count = way_points(&rig, 1);
+    rig.key(Key::I);
+    rig.settle();
+    assert_eq!(way_points(&rig, 1), count + 1);
+    assert_eq!(rig.state()["plan"]["routes"][1]["pattern"], false);
+    choose(&mut rig, 1);
+    set(&mut rig, "Altitude of the way-point", 90.0);
+    assert_eq!(way_points(&rig, 1), count + 1);
+}
