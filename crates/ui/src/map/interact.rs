@@ -3,6 +3,7 @@
 use egui::{CursorIcon, Key, PointerButton, Rect, Response, Ui};
 
 use super::picking::{Drag, SMALLEST, box_between, handle_at, landmark_at, moved, resized};
+use super::tool::tool_keys;
 use super::view::MapView;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -101,14 +102,13 @@ impl MapView {
         context: &mut ViewContext<'_>,
     ) {
         let typing = ui.ctx().text_edit_focused();
-        let (closer, farther, left, right, escape, delete, enter) = ui.input(|i| {
+        let (closer, farther, left, right, escape, enter) = ui.input(|i| {
             (
                 i.num_presses(Key::Plus) + i.num_presses(Key::Equals),
                 i.num_presses(Key::Minus),
                 i.key_down(Key::Q),
                 i.key_down(Key::E),
                 i.key_pressed(Key::Escape),
-                i.key_pressed(Key::Delete) || i.key_pressed(Key::Backspace),
                 i.key_pressed(Key::Enter),
             )
         });
@@ -149,8 +149,11 @@ impl MapView {
                 });
             }
         }
-        if delete && let Some(id) = context.selection {
-            context.commands.push(Command::DeleteLandmark(id));
+        if let Some(id) = context.selection {
+            let deletes = tool_keys(ui, response, [Key::Delete, Key::Backspace]);
+            if deletes.contains(&true) {
+                context.commands.push(Command::DeleteLandmark(id));
+            }
         }
         if response.has_focus() {
             paint_focus_ring(ui.painter(), rect.shrink(1.0), context.tokens);

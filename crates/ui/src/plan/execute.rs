@@ -225,7 +225,9 @@ impl Planner {
                 self.way_point = Some(behind + 1);
             }
             PlanCommand::DeleteWayPoint(which) => {
-                let which = which.or(self.way_point);
+                let Some(which) = which.or(self.way_point) else {
+                    return;
+                };
                 let count = documents
                     .mission
                     .selected_route()
@@ -234,7 +236,7 @@ impl Planner {
                     documents.delete_route(id);
                     return;
                 }
-                let command = PlanCommand::DeleteWayPoint(which);
+                let command = PlanCommand::DeleteWayPoint(Some(which));
                 edit_as_high(id, &command, documents);
                 self.way_point = None;
             }

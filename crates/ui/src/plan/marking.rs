@@ -5,7 +5,7 @@ use pilotage_core::frames::GroundPoint;
 
 use super::command::PlanCommand;
 use super::purpose::{AGAIN, CLOSING, FEWEST, Purpose};
-use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::map::{ScreenFromWorld, paint_halo_text, tool_keys};
 use crate::tokens::Tokens;
 
 /// Place of what to do below the figures at the top of the map, from the middle of its upper edge.
@@ -47,24 +47,19 @@ impl Marking {
         say: &mut impl FnMut(PlanCommand),
     ) {
         ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
-        let typing = ui.ctx().text_edit_focused();
-        let (enter, escape, back) = ui.input(|i| {
-            (
-                i.key_pressed(Key::Enter),
-                i.key_pressed(Key::Escape),
-                i.num_presses(Key::Backspace),
-            )
-        });
+        let times = ui.input(|i| i.num_presses(Key::Backspace));
+        let keys = [Key::Enter, Key::Escape, Key::Backspace, Key::Delete];
+        let [enter, escape, back, delete] = tool_keys(ui, response, keys);
         if escape {
             say(PlanCommand::CancelMarking);
-        } else if enter && !typing {
+        } else if enter {
             if self.purpose.is_point() {
                 // By keyboard: the middle of the map.
                 say(PlanCommand::AddCorner(view.inverse(response.rect.center())));
             }
             say(PlanCommand::FinishMarking);
-        } else if !typing {
-            for _ in 0..back {
+        } else if back || delete {
+            for _ in 0..times.max(1) {
                 say(PlanCommand::RemoveCorner);
             }
         }

@@ -13,7 +13,7 @@ use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;
-use crate::map::{ScreenFromWorld, drag_origin};
+use crate::map::{ScreenFromWorld, drag_origin, tool_keys};
 
 /// Distance from a way-point that still counts as on it, points.
 const HIT_RADIUS: f32 = 14.0;
@@ -138,7 +138,7 @@ impl PlanPointer {
             // A drag still moves the map.
             return response.clicked() || response.double_clicked();
         }
-        keyboard(ui, planner, context.selection, &mut say);
+        keyboard(ui, response, planner, context.selection, &mut say);
         if let Some(origin) = drag_origin(ui, response) {
             match under(origin) {
                 Some(Hit::WayPoint(index)) => {
@@ -274,25 +274,31 @@ fn clicked(
     true
 }
 
-fn keyboard(ui: &Ui, planner: &Planner, landmark: Option<u32>, say: &mut impl FnMut(PlanCommand)) {
-    if ui.ctx().text_edit_focused() {
+fn keyboard(
+    ui: &Ui,
+    response: &Response,
+    planner: &Planner,
+    landmark: Option<u32>,
+    say: &mut impl FnMut(PlanCommand),
+) {
+    if planner.drawing {
+        let ends = tool_keys(ui, response, [Key::Enter, Key::Escape]);
+        if ends.contains(&true) {
+            say(PlanCommand::FinishDraw);
+        }
+    }
+    if planner.way_point.is_none() {
         return;
     }
-    let (enter, escape, delete) = ui.input(|i| {
-        (
-            i.key_pressed(Key::Enter),
-            i.key_pressed(Key::Escape),
-            i.key_pressed(Key::Delete) || i.key_pressed(Key::Backspace),
-        )
-    });
-    let focused = ui.memory(|m| m.focused().is_some());
-    if planner.drawing && (escape || (enter && !focused)) {
-        say(PlanCommand::FinishDraw);
-    } else if escape && planner.way_point.is_some() {
+    let [escape] = tool_keys(ui, response, [Key::Escape]);
+    if escape {
         say(PlanCommand::SelectWayPoint(None));
     }
-    if delete && landmark.is_none() && planner.way_point.is_some() {
-        say(PlanCommand::DeleteWayPoint(None));
+    if landmark.is_none() {
+        let deletes = tool_keys(ui, response, [Key::Delete, Key::Backspace]);
+        if deletes.contains(&true) {
+            say(PlanCommand::DeleteWayPoint(None));
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The table of way-points and legs, with a keyboard path for everything the map does.
 
 use egui::{
-    Align2, ComboBox, EventFilter, Key, Painter, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo,
-    pos2, vec2,
+    Align2, ComboBox, EventFilter, Key, Modifiers, Painter, Rect, Role, Sense, Ui, UiBuilder,
+    WidgetInfo, pos2, vec2,
 };
 use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
 use pilotage_core::mission::{Route, WayPointAction};
@@ -232,7 +232,7 @@ fn keyboard(ui: &Ui, widget: egui::Id, route: &Route, index: usize, context: &mu
         ..Default::default()
     };
     ui.memory_mut(|m| m.set_focus_lock_filter(widget, filter));
-    let (north, east, insert, delete) = ui.input(|i| {
+    let (north, east, insert, delete) = ui.input_mut(|i| {
         let along = |minus: Key, plus: Key| {
             f64::from(u32::try_from(i.num_presses(plus)).unwrap_or(0))
                 - f64::from(u32::try_from(i.num_presses(minus)).unwrap_or(0))
@@ -242,7 +242,8 @@ fn keyboard(ui: &Ui, widget: egui::Id, route: &Route, index: usize, context: &mu
             scale * along(Key::ArrowDown, Key::ArrowUp),
             scale * along(Key::ArrowLeft, Key::ArrowRight),
             i.key_pressed(Key::Insert),
-            i.key_pressed(Key::Delete),
+            // The map would delete what is selected by the same press.
+            i.consume_key(Modifiers::NONE, Key::Delete),
         )
     });
     let mut say = |command| context.commands.push(Command::from(command));

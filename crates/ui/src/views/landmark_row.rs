@@ -2,7 +2,8 @@
 //! pointer.
 
 use egui::{
-    Align2, Color32, EventFilter, Key, Painter, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2,
+    Align2, Color32, EventFilter, Key, Modifiers, Painter, Rect, Response, Role, Sense, Ui,
+    WidgetInfo, vec2,
 };
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
@@ -108,7 +109,7 @@ fn keyboard(ui: &Ui, widget: egui::Id, landmark: &Landmark, commands: &mut Vec<C
             },
         );
     });
-    let (north, east, shift, delete) = ui.input(|i| {
+    let (north, east, shift, delete) = ui.input_mut(|i| {
         let along = |minus: Key, plus: Key| {
             f64::from(u32::try_from(i.num_presses(plus)).unwrap_or(0))
                 - f64::from(u32::try_from(i.num_presses(minus)).unwrap_or(0))
@@ -117,7 +118,8 @@ fn keyboard(ui: &Ui, widget: egui::Id, landmark: &Landmark, commands: &mut Vec<C
             along(Key::ArrowDown, Key::ArrowUp),
             along(Key::ArrowLeft, Key::ArrowRight),
             i.modifiers.shift,
-            i.key_pressed(Key::Delete),
+            // The map would delete what is selected by the same press.
+            i.consume_key(Modifiers::NONE, Key::Delete),
         )
     });
     let id = landmark.id;

@@ -26,3 +26,23 @@ fn arrows_move_a_landmark_and_shift_resizes_it() {
         "the arrows do not also move time"
     );
 }
+
+#[test]
+fn delete_on_a_row_deletes_its_landmark_and_not_the_selected_one_too() {
+    let mut rig = rig();
+    rig.open_tab("Landmarks");
+    let names = |rig: &super::support::Rig| {
+        let landmarks = rig.state()["landmarks"].as_array().cloned();
+        let landmarks = landmarks.unwrap_or_default().into_iter();
+        landmarks.map(|it| it["name"].clone()).collect::<Vec<_>>()
+    };
+    let before = names(&rig);
+    rig.harness.get_by_label("Barn").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Chapel").focus();
+    rig.frames(2);
+    rig.key(Key::Delete);
+    rig.frames(2);
+    let left: Vec<_> = before.into_iter().filter(|it| it != "Chapel").collect();
+    assert_eq!(names(&rig), left);
+}

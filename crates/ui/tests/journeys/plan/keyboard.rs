@@ -1,7 +1,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
-use super::{place, planning};
+use super::{draw, place, planning};
 
 #[test]
 fn a_route_is_made_and_moved_without_a_pointer() {
@@ -25,4 +25,32 @@ fn a_route_is_made_and_moved_without_a_pointer() {
         .as_array()
         .map(Vec::len);
     assert_eq!(count, Some(3));
+}
+
+#[test]
+fn delete_on_a_row_deletes_one_way_point_and_not_the_route_with_it() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    let row = |number: usize| format!("Way-point {number}: ");
+    let focus = |rig: &mut super::Rig, number| {
+        let name = row(number);
+        let found = rig
+            .harness
+            .get_by(|n| n.label().is_some_and(|l| l.starts_with(&name)));
+        found.focus();
+        rig.frames(2);
+    };
+    focus(&mut rig, 2);
+    rig.key(Key::Enter);
+    assert_eq!(rig.state()["plan"]["way_point"], 1);
+    rig.key(Key::Delete);
+    rig.frames(2);
+    let left = rig.state()["plan"]["routes"][0]["way_points"].clone();
+    assert_eq!(left.as_array().map(Vec::len), Some(1));
+    // The last one goes with its route.
+    focus(&mut rig, 1);
+    rig.key(Key::Delete);
+    rig.frames(2);
+    let left = rig.state()["plan"]["routes"].clone();
+    assert_eq!(left.as_array().map(Vec::len), Some(0));
 }

@@ -259,3 +259,25 @@ fn the_look_alike_is_told_with_its_margin_and_marked_on_the_map() {
         radius(&rig)
     );
 }
+
+#[test]
+fn backspace_takes_a_corner_back_and_leaves_the_selected_landmark() {
+    for key in [Key::Backspace, Key::Delete] {
+        let mut rig = planning();
+        rig.key_with(Modifiers::SHIFT, Key::N);
+        for (north, east) in [(-120.0, -120.0), (-120.0, 0.0)] {
+            click(&mut rig, north, east);
+        }
+        let before = landmarks(&rig);
+        rig.open_tab("Landmarks");
+        row(&mut rig, "Barn", Modifiers::NONE);
+        rig.settle();
+        let state = rig.state();
+        assert_eq!(state["plan"]["marking"]["corners"], 2);
+        assert!(!state["selection"].is_null());
+        rig.key(key);
+        rig.settle();
+        assert_eq!(rig.state()["plan"]["marking"]["corners"], 1);
+        assert_eq!(landmarks(&rig).len(), before.len());
+    }
+}
