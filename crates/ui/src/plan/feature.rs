@@ -42,6 +42,7 @@ impl Feature for Planner {
         let is_known = command.is_some();
         if let Some(command) = command {
             self.carry_out(command, context);
+            self.keep_count(context.documents);
         }
         is_known
     }

@@ -95,6 +95,8 @@ impl Default for PlanPreferences {
 pub struct Planner {
     /// The selected way-point of the selected route.
     pub way_point: Option<usize>,
+    /// Id of the selected route, and number of its way-points, as they were left.
+    pub(super) counted: Option<(u32, usize)>,
     /// Pointer on routes of the map.
     pub pointer: PlanPointer,
     /// Whether clicks on the map add way-points.
@@ -180,11 +182,17 @@ impl Planner {
             known.or_else(first)
         };
         self.table.settle(&documents.mission);
-        let count = documents
-            .mission
-            .selected_route()
-            .map_or(0, |r| r.way_points.len());
-        self.way_point = self.way_point.filter(|i| *i < count);
+        // By other hands, such as undo: the numbers are those of other way-points.
+        if self.counted != count(documents) {
+            self.way_point = None;
+            self.pointer.dragged = None;
+        }
+        self.keep_count(documents);
+    }
+
+    /// Notes the way-points of the selected route, as its own commands or undo left them.
+    pub(super) fn keep_count(&mut self, documents: &Documents) {
+        self.counted = count(documents);
     }
 
     /// Part of the screen on which the chart's curves were drawn last.
@@ -262,6 +270,12 @@ impl Planner {
             ..PredictionOrder::along(path, mission)
         })
     }
+}
+
+/// Id of the selected route, and number of its way-points.
+fn count(documents: &Documents) -> Option<(u32, usize)> {
+    let route = documents.mission.selected_route();
+    route.map(|it| (it.id, it.way_points.len()))
 }
 
 /// Circumstances of the passes of a pattern over `places`, if they are flown at `altitude`.
