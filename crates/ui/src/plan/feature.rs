@@ -178,7 +178,9 @@ impl Feature for Planner {
         if context.is_shown {
             context.playback.playing = false;
         } else {
-            self.drawing = false;
+            if self.drawing {
+                self.finish_drawing(context);
+            }
             if self.marking.is_some() {
                 self.put_marking_away(context);
             }

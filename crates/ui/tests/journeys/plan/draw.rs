@@ -1,6 +1,7 @@
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
-use super::{draw, place, planning};
+use super::{click, draw, place, planning};
 
 #[test]
 fn a_route_is_drawn_by_clicks_and_ended_by_enter() {
@@ -28,4 +29,18 @@ fn a_route_of_one_way_point_is_none() {
         rig.state()["plan"]["routes"].as_array().map(Vec::len),
         Some(0)
     );
+}
+
+#[test]
+fn a_route_of_one_way_point_is_none_either_where_the_plan_is_left_meanwhile() {
+    let mut rig = planning();
+    let depth = rig.state()["undo"].clone();
+    rig.key(Key::W);
+    click(&mut rig, 0.0, -300.0);
+    rig.key_with(Modifiers::SHIFT, Key::R);
+    rig.settle();
+    let state = rig.state();
+    assert_eq!(state["workspace"], "Replay");
+    assert_eq!(state["plan"]["routes"].as_array().map(Vec::len), Some(0));
+    assert_eq!(state["undo"], depth);
 }
