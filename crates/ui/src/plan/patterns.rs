@@ -2,7 +2,9 @@
 
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, Geodetic, GroundPoint, LocalFrame};
-use pilotage_core::mission::pattern::{Passes, corridor, fewest_passes, picture_on_ground, survey};
+use pilotage_core::mission::pattern::{
+    Passes, bends, corridor, fewest_passes, picture_on_ground, survey,
+};
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 use pilotage_core::sorting::sort;
 use serde::{Deserialize, Serialize};
@@ -141,16 +143,25 @@ impl Pattern {
     }
 
     /// Number of way-points of a pass.
-    fn per_pass(&self) -> usize {
+    fn per_pass(&self, frame: &LocalFrame) -> usize {
         match self.cover {
             CoveredGround::Survey => 2,
-            CoveredGround::Corridor { .. } => self.places.len().max(1),
+            CoveredGround::Corridor { .. } => bends(&self.on_ground(frame)).len().max(1),
         }
+    }
+
+    /// Its corners or its line.
+    fn on_ground(&self, frame: &LocalFrame) -> Vec<GroundPoint> {
+        let ground = |[longitude, latitude]: &[f64; 2]| {
+            let place = Geodetic::from_degrees(*latitude, *longitude, 0.0);
+            frame.ground_from_geodetic(&place)
+        };
+        self.places.iter().map(ground).collect()
     }
 
     /// Passes of a route that is made of it.
     pub(super) fn laid(&self, route: &Route, c: &PassCircumstances) -> LaidPasses {
-        let per_pass = self.per_pass();
+        let per_pass = self.per_pass(&c.frame);
         let now = self.places(c);
         let is_close =
             |(at, place): (&WayPoint, &GroundPoint)| at.position.distance(place) < SAME_PLACE;
@@ -166,11 +177,7 @@ impl Pattern {
 
     /// The way-points of the pattern.
     fn places(&self, c: &PassCircumstances) -> Vec<GroundPoint> {
-        let ground = |[longitude, latitude]: &[f64; 2]| {
-            let place = Geodetic::from_degrees(*latitude, *longitude, 0.0);
-            c.frame.ground_from_geodetic(&place)
-        };
-        let places: Vec<GroundPoint> = self.places.iter().map(ground).collect();
+        let places = self.on_ground(&c.frame);
         match self.cover {
             CoveredGround::Survey => {
                 let stated = self.course_deg.map(f64::to_radians);
@@ -327,14 +334,18 @@ mod tests {
         let c = circumstances();
         let line = [(0.0, 0.0), (500.0, 0.0), (500.0, 500.0)];
         let line = line.map(|(n, e)| GroundPoint::new(n, e));
-        let cover = CoveredGround::Corridor { width_m: 200.0 };
-        let pattern = Pattern::new(cover, &line, &c.frame);
-        let mut route = Route::default();
-        let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
-        pattern.apply(&mut route, altitude, &c);
-        let laid = pattern.laid(&route, &c);
-        // 46.2 m at most: five passes in 200 m.
-        assert_eq!((laid.count, laid.needed, laid.is_of_now), (5, 5, true));
-        assert!((laid.spacing.unwrap() - 40.0).abs() < 1e-3, "{laid:?}");
+        // Files have the first way-point where they take off, too.
+        let twice = [line[0], line[0], line[1], line[2]];
+        for line in [&line[..], &twice] {
+            let cover = CoveredGround::Corridor { width_m: 200.0 };
+            let pattern = Pattern::new(cover, line, &c.frame);
+            let mut route = Route::default();
+            let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
+            pattern.apply(&mut route, altitude, &c);
+            let laid = pattern.laid(&route, &c);
+            // 46.2 m at most: five passes in 200 m.
+            assert_eq!((laid.count, laid.needed, laid.is_of_now), (5, 5, true));
+            assert!((laid.spacing.unwrap() - 40.0).abs() < 1e-3, "{laid:?}");
+        }
     }
 }

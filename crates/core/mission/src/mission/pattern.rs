@@ -108,8 +108,7 @@ pub fn survey(area: &[GroundPoint], course: f64, passes: &Passes) -> Vec<GroundP
 
 /// Way-points of passes along a line, there and back, that cover a corridor `width` metres wide.
 pub fn corridor(line: &[GroundPoint], width: f64, passes: &Passes) -> Vec<GroundPoint> {
-    let mut line = line.to_vec();
-    line.dedup_by(|b, a| a.distance(b) < 1e-6);
+    let line = bends(line);
     if line.len() < 2 {
         return Vec::new();
     }
@@ -120,6 +119,13 @@ pub fn corridor(line: &[GroundPoint], width: f64, passes: &Passes) -> Vec<Ground
         .map(|offset| beside(&line, offset, passes.run_out))
         .collect();
     there_and_back(&lines, step, passes.least_step)
+}
+
+/// Places of a line, which each pass along it has: those at the place of the one before are left out.
+pub fn bends(line: &[GroundPoint]) -> Vec<GroundPoint> {
+    let mut line = line.to_vec();
+    line.dedup_by(|b, a| a.distance(b) < 1e-6);
+    line
 }
 
 /// Distance of a place to the right of the line through the origin on a course, metres.
