@@ -182,7 +182,7 @@ pub fn open_map_with(
         .ok_or(MapFileError::Empty { file: side })
 }
 
-/// What to say of a file beside which nothing tells where it lies: of what is no picture, that.
+/// Complaint about a file beside which nothing tells where it lies: of what is no picture, that.
 fn without_place(name: &str, bytes: &[u8]) -> MapFileError {
     let file = name.to_owned();
     let [jpeg, png] = [&b"\xff\xd8\xff"[..], b"\x89PNG\r\n\x1a\n"];
