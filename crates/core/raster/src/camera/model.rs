@@ -1,6 +1,6 @@
 //! The camera: lens, distortion, mount.
 
-use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Point2, Point3, Rotation2, Rotation3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::Distortion;
@@ -111,15 +111,27 @@ impl CameraModel {
     }
 
     /// The camera of pictures that were stored turned by `turn`, radians clockwise: the mount stays as it is,
-    /// and the picture turns about the camera's own axis.
+    /// and the picture turns about its middle, with the principal point and what the lens distorts to one side.
     #[must_use]
     pub fn stored_turned(&self, turn: f64) -> Self {
         let mount = &self.mount;
+        // Who turns a camera counter-clockwise sees its picture turned clockwise.
         let mounted = Rotation3::from_euler_angles(mount.roll, mount.pitch, mount.yaw)
-            * Rotation3::from_euler_angles(0.0, 0.0, turn);
+            * Rotation3::from_euler_angles(0.0, 0.0, -turn);
         let (roll, pitch, yaw) = mounted.euler_angles();
+        // With y down this turns clockwise.
+        let turned = Rotation2::new(turn);
+        let middle = Point2::new(0.5 * self.width as f64, 0.5 * self.height as f64);
+        // With d = (p2, p1) the tangential distortion is 2 (d·v) v + r² d, which turns with d.
+        let tangential = turned * Vector2::new(self.distortion.p2, self.distortion.p1);
         Self {
             mount: Mount { roll, pitch, yaw },
+            principal: middle + turned * (self.principal - middle),
+            distortion: Distortion {
+                p1: tangential.y,
+                p2: tangential.x,
+                ..self.distortion
+            },
             ..self.clone()
         }
     }

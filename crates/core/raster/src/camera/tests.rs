@@ -340,7 +340,33 @@ fn a_turned_picture_turns_about_its_own_axis() {
     // A picture turned clockwise by a quarter shows to the right what was up.
     let quarter = camera.stored_turned(PI / 2.0);
     let turned = quarter.project(&pose, &point).unwrap() - camera.principal;
-    let expected = nalgebra::Vector2::new(upright.y, -upright.x);
+    let expected = nalgebra::Vector2::new(-upright.y, upright.x);
     assert!((turned - expected).norm() < 1e-9, "{upright} {turned}");
     assert_eq!(quarter.focal, camera.focal);
+}
+
+#[test]
+fn a_turned_picture_takes_its_principal_point_and_all_of_its_distortion_with_it() {
+    let mut camera = camera();
+    camera.principal = Point2::new(340.0, 230.0);
+    camera.distortion = Distortion {
+        k1: -0.12,
+        k2: 0.03,
+        p1: 0.01,
+        p2: -0.02,
+        k3: 0.0,
+    };
+    let pose = level(50.0);
+    let (width, height) = (camera.width as f64, camera.height as f64);
+    let middle = Point2::new(0.5 * width, 0.5 * height);
+    for point in [Point3::new(4.0, -9.0, 0.0), Point3::new(-7.0, 11.0, 0.0)] {
+        let upright = camera.project(&pose, &point).unwrap();
+        let upside_down = camera.stored_turned(PI).project(&pose, &point).unwrap();
+        let expected = Point2::new(width - upright.x, height - upright.y);
+        assert!((upside_down - expected).norm() < 1e-9, "{upside_down}");
+        // Clockwise by a quarter: what was so far up is so far to the right of the middle.
+        let quarter = camera.stored_turned(PI / 2.0).project(&pose, &point);
+        let (quarter, from) = (quarter.unwrap() - middle, upright - middle);
+        assert!((quarter.x + from.y).abs() < 1e-9 && (quarter.y - from.x).abs() < 1e-9);
+    }
 }
