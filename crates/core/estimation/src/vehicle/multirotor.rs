@@ -6,10 +6,14 @@ use serde::{Deserialize, Serialize};
 use super::airplane::density_of;
 use super::held_heading::HeldHeading;
 use super::noise::add_white_noise;
+use super::unmodelled_air::STEEPEST;
 use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 use pilotage_base::frames::units::GRAVITY;
+
+/// Time in which a multirotor flips over, seconds: as long may its thrust push anywhere.
+const FLIP: f64 = 1.0;
 
 /// Multirotor at constant height, pushed where it tilts and slowed down by the air.
 ///
@@ -28,6 +32,8 @@ use pilotage_base::frames::units::GRAVITY;
 ///   hovers in a wind.
 /// - r is the rate of the heading ψ: axes that turn.
 /// - The thrust that holds the height pushes by g tan φ / cos θ to the right.
+/// - There is such a thrust up to a tilt of some 75°. Beyond, it pushes by no more, from 90° on not at all, and what it does
+///   push is noise as large.
 ///
 /// With k = 0 and calm air it is the printed one.
 ///
@@ -112,10 +118,17 @@ impl Glide {
 }
 
 impl Multirotor {
+    /// Tangent (forward, right) of the tilt; `None` where the thrust does not point up.
+    fn tilt(input: &ControlInput) -> Option<Vector2<f64>> {
+        let (roll, pitch) = (input.attitude.roll, input.attitude.pitch);
+        let tangent = Vector2::new(-pitch.tan(), roll.tan() / pitch.cos());
+        (roll.cos() * pitch.cos() > 0.0).then_some(tangent)
+    }
+
     /// Acceleration (forward, right) by the tilt of the thrust that holds the height, m/s².
     fn push(input: &ControlInput) -> Vector2<f64> {
-        let (roll, pitch) = (input.attitude.roll, input.attitude.pitch);
-        Vector2::new(-pitch.tan(), roll.tan() / pitch.cos()) * GRAVITY
+        let tilt = Self::tilt(input).unwrap_or_else(Vector2::zeros);
+        tilt.cap_magnitude(STEEPEST) * GRAVITY
     }
 
     /// White noise of the acceleration (m/s/√s) in two directions (north, east) at right angles: with what a heading or a
@@ -126,7 +139,10 @@ impl Multirotor {
         let along = push.try_normalize(0.0).unwrap_or_else(Vector2::x);
         let across = Vector2::new(-along.y, along.x);
         let tilt = density_of(GRAVITY * input.tilt_deviation);
-        let usual = self.acceleration_noise_density.hypot(tilt).powi(2);
+        let mut usual = self.acceleration_noise_density.hypot(tilt).powi(2);
+        if Self::tilt(input).is_none_or(|tilt| tilt.norm() > STEEPEST) {
+            usual += (GRAVITY * STEEPEST).powi(2) * FLIP;
+        }
         let [of_along, of_across] = HeldHeading::of(input).rates(speeding);
         [
             (along, (usual + of_along).sqrt()),
@@ -373,6 +389,37 @@ mod tests {
         };
         assert!(way(&held, 1) > way(&read, 1) + 5.0, "{}", way(&held, 1));
         assert!(model.propagate(&Vector6::zeros(), &held, 10.0)[0] < 0.2 * pushed);
+    }
+
+    #[test]
+    fn who_lies_on_the_side_or_upside_down_is_pushed_no_harder_than_the_thrust_can() {
+        let model = Multirotor::default();
+        let most = 3.7 * GRAVITY * 0.1;
+        let speed = |roll: f64, pitch: f64| {
+            let input = tilted(roll.to_radians(), pitch.to_radians(), 0.4);
+            let later = model.propagate(&Vector6::zeros(), &input, 0.1);
+            later[4].hypot(later[5])
+        };
+        for (roll, pitch) in [(76.0, 0.0), (89.0, 0.0), (-89.99, 0.0), (70.0, 70.0)] {
+            let speed = speed(roll, pitch);
+            assert!(speed <= most && speed > 0.9 * most, "{roll}: {speed}");
+        }
+        for (roll, pitch) in [(120.0, 0.0), (180.0, 5.0), (0.0, -100.0)] {
+            assert_eq!(speed(roll, pitch), 0.0, "{roll} {pitch}");
+        }
+        // Both turned over are level.
+        assert!(speed(180.0, 170.0) > 0.1, "{}", speed(180.0, 170.0));
+        let deviation = |roll: f64, seconds: f64| {
+            let input = tilted(roll.to_radians(), 0.0, 0.4);
+            let noise = model.process_noise(&Vector6::zeros(), &input, seconds);
+            noise[(4, 4)].sqrt().min(noise[(5, 5)].sqrt())
+        };
+        assert!(deviation(60.0, 0.1) < 0.1);
+        // In a second as much as the thrust makes, less what drag of 0.3/s takes.
+        for roll in [80.0, 89.0, 120.0, 180.0] {
+            let share = deviation(roll, 1.0) / (10.0 * most);
+            assert!((0.8..1.0).contains(&share), "{roll}: {share}");
+        }
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::{ControlInput, Gusts};
 /// Airspeed below which nothing turns by its bank, m/s.
 const SLOWEST: f64 = 5.0;
 /// Tangent of the bank beyond which nothing turns faster, some 75°: who rolls over, or stands on its tail, does not turn.
-const STEEPEST: f64 = 3.7;
+pub(super) const STEEPEST: f64 = 3.7;
 
 /// Motion of the air and errors of the air data that a model has no states for.
 ///
