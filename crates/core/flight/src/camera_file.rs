@@ -186,6 +186,11 @@ impl CameraFile {
         if let Some([x, y]) = self.principal_px {
             camera.principal = nalgebra::Point2::new(x, y);
         }
+        if let Lens::Lambda { lambda } = self.lens
+            && !(lambda > 0.0 && lambda.is_finite())
+        {
+            return Err(format!("a lens with a λ of {lambda} px shows nothing"));
+        }
         camera.lens = self.lens;
         camera.distortion = self.distortion;
         camera.mount = Mount {
@@ -201,5 +206,24 @@ impl CameraFile {
         }
         camera.mount_deviation = self.mount_deviation_deg.to_radians();
         Ok(camera)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lens_whose_lambda_is_no_length_is_refused() {
+        let camera = |lambda: f64| {
+            let mut camera = CameraModel::pinhole(640, 480, 1.0);
+            camera.lens = Lens::Lambda { lambda };
+            CameraFile::of(&camera).camera()
+        };
+        assert_eq!(camera(500.0).unwrap().lens, Lens::Lambda { lambda: 500.0 });
+        for lambda in [0.0, -500.0, f64::INFINITY, f64::NAN] {
+            let why = camera(lambda).unwrap_err();
+            assert!(why.contains("λ"), "{why}");
+        }
     }
 }
