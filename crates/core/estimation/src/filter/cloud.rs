@@ -188,7 +188,23 @@ where
         Ok(Self { mean, offsets })
     }
 
-    /// Covariance over the states, without noise.
+    /// Factor that makes a weighted covariance over the states that see something unbiased: 1/(1 - Σw²) for their share of
+    /// the weights.
+    fn unbiased<const N: usize>(&self, cloud: &Cloud<N>) -> f64 {
+        if self.offsets.iter().all(Option::is_some) {
+            return cloud.unbiased();
+        }
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for (offset, w) in self.offsets.iter().zip(&cloud.weights) {
+            if offset.is_some() {
+                sum += w;
+                squares += w * w;
+            }
+        }
+        1.0 / (sum * (1.0 - squares / (sum * sum)).max(f64::EPSILON))
+    }
+
+    /// Covariance over the states that see something, without noise.
     pub(super) fn covariance<const N: usize>(&self, cloud: &Cloud<N>) -> OMatrix<f64, M, M> {
         let size = self.mean.shape_generic().0;
         let mut sum = OMatrix::<f64, M, M>::zeros_generic(size, size);
@@ -197,10 +213,10 @@ where
                 sum.ger(*w, offset, offset, 1.0);
             }
         }
-        sum * cloud.unbiased()
+        sum * self.unbiased(cloud)
     }
 
-    /// Covariance between the states, of this `mean`, and what they see.
+    /// Covariance between the states that see something, and what they see; `mean` is that of all states.
     pub(super) fn cross_covariance<const N: usize>(
         &self,
         cloud: &Cloud<N>,
@@ -216,7 +232,7 @@ where
                 sum.ger(*w, &(state - mean), offset, 1.0);
             }
         }
-        sum * cloud.unbiased()
+        sum * self.unbiased(cloud)
     }
 
     /// Logarithm of the likelihood of `measurement` for every state, but for a constant, under noise with

@@ -313,6 +313,14 @@ fn particles_of_which_half_cannot_be_measured_are_corrected_by_the_others() {
     // East of the origin nothing is seen; what is seen is four deviations to the north.
     let model = |x: &Vector2<f64>| (x.y < 0.0).then(|| dvector![x.x]);
     let noise = nalgebra::DMatrix::from_element(1, 1, 0.01);
+    // Those that see it are spread over the north as all are, by one.
+    let expected = filter
+        .predict_measurement(model, &noise, |a, b| a - b)
+        .unwrap();
+    let innovation = expected.innovation_covariance[(0, 0)];
+    assert!((innovation - 1.01).abs() < 0.2, "{innovation}");
+    let cross = expected.cross_covariance[(0, 0)];
+    assert!((cross - 1.0).abs() < 0.2, "{cross}");
     let step = filter
         .correct(model, &noise, &dvector![4.0], |a, b| a - b)
         .unwrap();
