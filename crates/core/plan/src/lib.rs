@@ -57,7 +57,7 @@ pub use flown_way::{
 };
 pub use found::{FoundRoute, FoundRoutes};
 pub use incursion::{Incursion, ReachedZone, incursions, reached_zones};
-pub use no_fly::{inside, is_forbidden};
+pub use no_fly::is_forbidden;
 pub use offered::OfferedField;
 pub use poses::{poses_all_over, poses_over, shows_ground};
 pub use prediction::{PredictionSample, RoutePrediction, Stretch};

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector2;
 
 use super::turns::Turns;
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{GroundPoint, inside};
 use pilotage_mission::mission::NoFlyZone;
 
 /// Most that a way-point around a sharp corner is put off it, in clearances.
@@ -114,30 +114,6 @@ pub fn is_forbidden(zone: &NoFlyZone, place: &GroundPoint) -> bool {
 /// Whether a place is over an area or closer to it than `margin`, metres.
 pub(super) fn is_within(zone: &NoFlyZone, place: &GroundPoint, margin: f64) -> bool {
     is_forbidden(zone, place) || sides(zone).any(|(a, b)| distance(place, &a, &b) < margin)
-}
-
-/// Whether a point lies in a polygon (crossing number).
-///
-/// ```
-/// use pilotage_base::frames::GroundPoint;
-/// use pilotage_plan::inside;
-///
-/// let triangle = [(0.0, 0.0), (100.0, 0.0), (0.0, 100.0)].map(|(n, e)| GroundPoint::new(n, e));
-/// assert!(inside(&triangle, &GroundPoint::new(40.0, 40.0)));
-/// assert!(!inside(&triangle, &GroundPoint::new(60.0, 60.0)));
-/// ```
-pub fn inside(area: &[GroundPoint], p: &GroundPoint) -> bool {
-    let mut within = false;
-    for i in 0..area.len() {
-        let (a, b) = (&area[i], &area[(i + 1) % area.len()]);
-        if (a.east > p.east) != (b.east > p.east) {
-            let north = a.north + (p.east - a.east) / (b.east - a.east) * (b.north - a.north);
-            if p.north < north {
-                within = !within;
-            }
-        }
-    }
-    within
 }
 
 /// Distance from a point to a segment, metres.

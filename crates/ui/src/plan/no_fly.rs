@@ -1,8 +1,7 @@
 //! Edits of areas that must not be flown over, each one undo step; a drag is one.
 
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{GroundPoint, inside};
 use pilotage_core::mission::NoFlyZone;
-use pilotage_core::plan::inside;
 
 use super::command::AreaChange;
 use super::routes::EditStep;

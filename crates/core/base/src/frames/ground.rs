@@ -35,6 +35,30 @@ impl From<Vector2<f64>> for GroundPoint {
     }
 }
 
+/// Whether a point lies in the polygon with these corners in order around it, convex or not (crossing number).
+///
+/// ```
+/// use pilotage_base::frames::{GroundPoint, inside};
+///
+/// let triangle = [(0.0, 0.0), (100.0, 0.0), (0.0, 100.0)].map(|(n, e)| GroundPoint::new(n, e));
+/// assert!(inside(&triangle, &GroundPoint::new(40.0, 40.0)));
+/// assert!(!inside(&triangle, &GroundPoint::new(60.0, 60.0)));
+/// ```
+pub fn inside<P: Copy + Into<GroundPoint>>(outline: &[P], point: &GroundPoint) -> bool {
+    let mut within = false;
+    let next = outline.iter().cycle().skip(1);
+    for (from, to) in outline.iter().zip(next) {
+        let (a, b): (GroundPoint, GroundPoint) = ((*from).into(), (*to).into());
+        if (a.east > point.east) != (b.east > point.east) {
+            let share = (point.east - a.east) / (b.east - a.east);
+            if point.north < a.north + share * (b.north - a.north) {
+                within = !within;
+            }
+        }
+    }
+    within
+}
+
 /// A north-aligned rectangle on the ground, metres in the world frame.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GroundRect {

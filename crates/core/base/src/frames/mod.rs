@@ -18,7 +18,7 @@ pub mod units;
 pub use altitude::{Altitude, AltitudeFrame, AltitudeReference};
 pub use attitude::{Attitude, Pose, wrap_pi};
 pub use ellipsoid::Ellipsoid;
-pub use ground::{GroundPoint, GroundRect};
+pub use ground::{GroundPoint, GroundRect, inside};
 pub use local::{Geodetic, LocalFrame};
 pub use other_system::{Datum, OtherSystem, ProjectionMethod, SystemMethods, SystemNumbers};
 pub use reference_system::ReferenceSystem;

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector2};
 
 use crate::GenericClass;
+use pilotage_base::frames::inside;
 
 /// A landmark that the camera saw.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,8 +54,8 @@ pub struct AssociationProblem<'a> {
     pub possible: &'a [PossibleLandmark],
     /// Errors that they share.
     pub common: CommonError,
-    /// Corners of the ground in the picture, in order around it, convex: metres north and east of the ground below
-    /// the aircraft.
+    /// Corners of the ground in the picture, in order around it: metres north and east of the ground below the aircraft.
+    /// The sides bend inward where the lens is of the barrel kind.
     pub view: &'a [Vector2<f64>],
 }
 
@@ -67,8 +68,7 @@ impl AssociationProblem<'_> {
 
     /// Whether a place is in view.
     pub(super) fn is_in_view(&self, place: Vector2<f64>) -> bool {
-        let sides = || self.edges().map(|(a, b)| (b - a).perp(&(place - a)));
-        sides().all(|side| side >= 0.0) || sides().all(|side| side <= 0.0)
+        inside(self.view, &place.into())
     }
 
     fn edges(&self) -> impl Iterator<Item = (Vector2<f64>, Vector2<f64>)> + '_ {

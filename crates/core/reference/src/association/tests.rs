@@ -1,4 +1,6 @@
-use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector2, Vector4};
+use nalgebra::{Matrix2, Matrix2x4, Matrix4, Point2, Point3, Vector2, Vector4};
+use pilotage_base::frames::{Attitude, Pose};
+use pilotage_raster::camera::CameraModel;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -254,6 +256,58 @@ fn observations_of_another_place_give_no_fix() {
         wrong_fixes += usize::from(found.fix.is_some());
     }
     assert!(wrong_fixes == 0, "{wrong_fixes} of 30");
+}
+
+/// The ground around the point below a level camera of 1280 by 960 pixels whose lens bends as barrels do.
+fn barrel_outline(k1: f64) -> (CameraModel, Pose, Vec<Vector2<f64>>) {
+    let mut camera = CameraModel::of_focal(1280, 960, 800.0);
+    camera.distortion.k1 = k1;
+    let pose = Pose {
+        position_in_world: Point3::new(0.0, 0.0, -HEIGHT),
+        attitude: Attitude::level(0.0),
+    };
+    let corners = camera.footprint(&pose, 0.0);
+    let corners = corners.iter().map(|corner| corner.to_vector()).collect();
+    (camera, pose, corners)
+}
+
+#[test]
+fn all_that_a_lens_of_the_barrel_kind_shows_is_in_view() {
+    let picture = drawn(0);
+    for k1 in [-0.05, -0.1, -0.2] {
+        let (camera, pose, view) = barrel_outline(k1);
+        let problem = AssociationProblem {
+            view: &view,
+            ..picture.problem()
+        };
+        // A tenth of the picture: the outline has straight pieces where the side is bent.
+        for (x, y) in (1..10).flat_map(|x| (1..10).map(move |y| (x, y))) {
+            let pixel = Point2::new(128.0 * f64::from(x), 96.0 * f64::from(y));
+            let ground = camera.ground_at(&pose, &pixel, 0.0).unwrap();
+            assert!(problem.is_in_view(ground.to_vector()), "{k1}: {pixel}");
+        }
+        for beside in [Point2::new(-40.0, 480.0), Point2::new(640.0, 1000.0)] {
+            let ground = camera.ground_at(&pose, &beside, 0.0).unwrap();
+            assert!(!problem.is_in_view(ground.to_vector()), "{k1}: {beside}");
+        }
+    }
+}
+
+#[test]
+fn observations_of_another_place_are_not_believed_through_a_lens_of_the_barrel_kind() {
+    let (.., view) = barrel_outline(-0.2);
+    let mut believed = 0;
+    for seed in 0..30 {
+        let (seen, elsewhere) = (drawn(seed), drawn(1000 + seed));
+        let problem = AssociationProblem {
+            observed: &seen.observed,
+            view: &view,
+            ..elsewhere.problem()
+        };
+        let found = associate(&problem, &AssociationSettings::default());
+        believed += usize::from(found.probability > 0.5);
+    }
+    assert!(believed == 0, "{believed} of 30");
 }
 
 #[test]

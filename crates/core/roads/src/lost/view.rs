@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use nalgebra::Vector2;
-use pilotage_base::frames::{GroundPoint, wrap_pi};
+use pilotage_base::frames::{GroundPoint, inside, wrap_pi};
 
-use crate::course::place_along;
+use crate::course::{between, nearest_share, place_along};
 use crate::map::{RoadCrossing, RoadMap};
 
 /// Point on a road around the point below the camera.
@@ -34,7 +34,7 @@ pub struct RoadView {
     pub points: Vec<ViewPoint>,
     /// Places where roads meet, the surest first.
     pub crossings: Vec<ViewCrossing>,
-    /// Corners of the ground that was looked at, ahead and to the right, metres: a convex outline in the order of
+    /// Corners of the ground that was looked at, ahead and to the right, metres: an outline in the order of
     /// either sense.
     pub outline: Vec<Vector2<f64>>,
 }
@@ -165,17 +165,15 @@ impl RoadView {
 
     /// Whether a place of the view lies on the ground that was looked at, `margin` metres within its outline.
     pub(super) fn looked_at(&self, place: Vector2<f64>, margin: f64) -> bool {
-        let count = self.outline.len();
-        let mut sides = [false; 2];
-        for (index, from) in self.outline.iter().enumerate() {
-            let along = self.outline[(index + 1) % count] - from;
-            let side = along.perp(&(place - from)) / along.norm().max(1e-9);
-            if side.abs() < margin {
-                return false;
-            }
-            sides[usize::from(side > 0.0)] = true;
-        }
-        count > 2 && !(sides[0] && sides[1])
+        let at = GroundPoint::from(place);
+        let next = self.outline.iter().cycle().skip(1);
+        let mut sides = self.outline.iter().zip(next);
+        inside(&self.outline, &at)
+            && sides.all(|(from, to)| {
+                let (from, to) = ((*from).into(), (*to).into());
+                let foot = between(from, to, nearest_share(from, to, at));
+                foot.distance(&at) >= margin
+            })
     }
 
     /// Area of the ground that was looked at, square metres.
@@ -243,5 +241,27 @@ mod tests {
         assert!(!view.looked_at(corner(8.0, 15.0), 3.0));
         assert!(!view.looked_at(corner(15.0, 0.0), 3.0));
         assert_eq!(view.area(), 800.0);
+    }
+
+    /// A lens of the barrel kind sees sides that bend inward.
+    #[test]
+    fn places_were_looked_at_within_an_outline_whose_sides_bend_inward() {
+        let corner = |x, y| Vector2::new(x, y);
+        let view = RoadView {
+            outline: vec![
+                corner(-10.0, -20.0),
+                corner(-4.0, 0.0),
+                corner(-10.0, 20.0),
+                corner(10.0, 20.0),
+                corner(10.0, -20.0),
+            ],
+            ..RoadView::default()
+        };
+        for (x, y) in [(0.0, 0.0), (-6.0, 15.0), (-6.0, -15.0), (6.0, 16.0)] {
+            assert!(view.looked_at(corner(x, y), 1.0), "{x} {y}");
+        }
+        assert!(!view.looked_at(corner(-6.0, 0.0), 1.0));
+        assert!(!view.looked_at(corner(-3.0, 0.0), 1.5));
+        assert!(!view.looked_at(corner(f64::NAN, 0.0), 1.0));
     }
 }
