@@ -87,6 +87,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let why = "is no probability; give percent above 0, 100 at most";
         return Err(format!("--on-map: {percent} {why}").into());
     }
+    ranges(arguments)?;
     let source = RoadSource::open(&arguments.map)?;
     let frame = source.frame()?;
     let least = class(&arguments.least)?;
@@ -132,6 +133,19 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         place.pose.place.north,
         place.pose.place.east,
         place.pose.turn.to_degrees().rem_euclid(360.0),
+/// Refuses ranges that are none.
+fn ranges(arguments: &Arguments) -> Result<(), String> {
+    for (option, limit) in [
+        ("--height-within", arguments.height_within),
+        ("--heading-within", arguments.heading_within),
+    ] {
+        if !(limit.is_finite() && limit >= 0.0) {
+            return Err(format!("{option}: {limit} is not zero or more"));
+        }
+    }
+    Ok(())
+}
+
         100.0 * place.probability
     );
     Ok(())

@@ -136,4 +136,11 @@ fn roads_that_were_seen_are_found_in_their_town_and_not_in_another() {
     assert!(elsewhere.starts_with("no place"), "{elsewhere}");
     let refused = said(&["town.geojson", "seen.geojson", "seen.geojson"]).unwrap_err();
     assert!(refused.contains("2 views need 1 ways"), "{refused}");
+    // Roads as they are drawn have the scale that they have.
+    let exact = said(&["town.geojson", "seen.geojson", "--height-within=0"]).unwrap();
+    assert!(exact.contains("heading 331."), "{exact}");
+    for range in ["--height-within=nan", "--heading-within=-1"] {
+        let refused = said(&["town.geojson", "seen.geojson", range]).unwrap_err();
+        assert!(refused.contains("is not zero or more"), "{refused}");
+    }
 }

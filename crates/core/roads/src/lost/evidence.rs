@@ -23,9 +23,10 @@ pub struct RoadEvidence {
     pub known: [u16; CLASSES],
 }
 
-/// Class of a distance.
+/// Class of a distance; the last of what is no number.
 fn class(distance: f64) -> usize {
-    DISTANCES.partition_point(|end| *end < distance)
+    let last = DISTANCES.len();
+    (DISTANCES.iter().position(|end| distance <= *end)).unwrap_or(last)
 }
 
 impl RoadEvidence {
@@ -67,5 +68,16 @@ impl RoadEvidence {
     /// Number of points of the map on the ground that was looked at.
     pub fn known_points(&self) -> f64 {
         self.known.iter().map(|count| f64::from(*count)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_distance_is_not_near() {
+        let classes = [0.0, 2.0, 2.1, 26.0, 30.0, f64::INFINITY, f64::NAN].map(class);
+        assert_eq!(classes, [0, 0, 1, 6, 7, 7, 7]);
     }
 }

@@ -22,6 +22,9 @@ const HYPOTHESIS: (f64, f64) = (15.0, 0.05);
 /// Standard deviation of a point across its road, metres.
 const POINT: f64 = 2.0;
 
+/// Least share to which a scale is taken to be known: of one that is exact the weight would have no end.
+const EXACT: f64 = 1e-6;
+
 /// Moves `pose` by a few steps of Gauss-Newton on the field of distances; the scale is known to the share `scale`.
 pub(super) fn settle(
     pose: ViewPose,
@@ -36,7 +39,7 @@ pub(super) fn settle(
             HYPOTHESIS.0.powi(-2),
             HYPOTHESIS.0.powi(-2),
             HYPOTHESIS.1.powi(-2),
-            scale.powi(-2),
+            scale.max(EXACT).powi(-2),
         ));
         let moved = pose.place.to_vector() - start.place.to_vector();
         let off = Vector4::new(

@@ -87,6 +87,24 @@ fn a_heading_outside_the_stated_range_is_not_found() {
 }
 
 #[test]
+fn a_scale_that_is_exact_is_as_good_as_one_that_is_known_well() {
+    let own = Source::new(town(5, 16));
+    let index = RoadIndex::new(&own.map, RoadClass::Service).unwrap();
+    let mut draw = Draw::new(3);
+    let truth = draw.pose(&own.map.bounds().unwrap(), 500.0);
+    let view = drawn_view(&own, &truth, &USUAL, &mut draw);
+    let [exact, well] = [0.0, 0.001].map(|scale| {
+        let settings = LostSettings {
+            scale,
+            ..LostSettings::default()
+        };
+        index.locate(&view, &settings).place(0.99).unwrap().pose
+    });
+    assert!(is_right(&exact, &truth) && exact.place.distance(&well.place) < 1.0);
+    assert!((exact.scale - 1.0).abs() < 1e-6, "{}", exact.scale);
+}
+
+#[test]
 fn a_straight_road_and_no_road_tell_no_place() {
     let line = |ends: [(f64, f64); 2]| RoadLine {
         course: ends.map(|(n, e)| GroundPoint::new(n, e)).to_vec(),
