@@ -91,13 +91,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let source = RoadSource::open(&arguments.map)?;
     let frame = source.frame()?;
     let least = class(&arguments.least)?;
-    let no_roads = || {
-        format!(
-            "{}: it has no road of that class; lower --least",
-            arguments.map
-        )
-    };
-    let index = RoadIndex::new(&source.map(Some(&frame)), least).ok_or_else(no_roads)?;
+    let index = RoadIndex::new(&source.map(Some(&frame)), least)
+        .map_err(|why| format!("{}: {why}", arguments.map))?;
     let mut views = Vec::new();
     for path in &arguments.views {
         views.push(view(path, arguments)?);
@@ -133,6 +128,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         place.pose.place.north,
         place.pose.place.east,
         place.pose.turn.to_degrees().rem_euclid(360.0),
+        100.0 * place.probability
+    );
+    Ok(())
+}
+
 /// Refuses ranges that are none.
 fn ranges(arguments: &Arguments) -> Result<(), String> {
     for (option, limit) in [
@@ -143,11 +143,6 @@ fn ranges(arguments: &Arguments) -> Result<(), String> {
             return Err(format!("{option}: {limit} is not zero or more"));
         }
     }
-    Ok(())
-}
-
-        100.0 * place.probability
-    );
     Ok(())
 }
 

@@ -21,7 +21,7 @@ mod view;
 mod weights;
 
 pub use evidence::{CLASSES, DISTANCES, RoadEvidence};
-pub use index::RoadIndex;
+pub use index::{RoadIndex, RoadIndexError};
 pub use locate::{LostBelief, LostPlace};
 pub use settings::LostSettings;
 pub use view::{RoadView, ViewCrossing, ViewMotion, ViewPoint, ViewPose};

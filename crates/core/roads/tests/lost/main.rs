@@ -12,7 +12,9 @@ mod town;
 
 use nalgebra::Vector2;
 use pilotage_base::frames::{GroundPoint, wrap_pi};
-use pilotage_roads::lost::{LostSettings, RoadIndex, RoadView, ViewMotion, ViewPose};
+use pilotage_roads::lost::{
+    LostSettings, RoadIndex, RoadIndexError, RoadView, ViewMotion, ViewPose,
+};
 use pilotage_roads::{RoadClass, RoadJoining, RoadLine, RoadMap};
 
 use drawn::{Draw, SeeingErrors, Source, drawn_view};
@@ -102,6 +104,29 @@ fn a_scale_that_is_exact_is_as_good_as_one_that_is_known_well() {
     });
     assert!(is_right(&exact, &truth) && exact.place.distance(&well.place) < 1.0);
     assert!((exact.scale - 1.0).abs() < 1e-6, "{}", exact.scale);
+}
+
+#[test]
+fn towns_that_lie_far_apart_are_refused_before_they_fill_the_memory() {
+    let mut lines = town(1, 4).lines().to_vec();
+    let there = lines.iter().map(|line| RoadLine {
+        course: (line.course.iter())
+            .map(|p| GroundPoint::new(p.north + 300e3, p.east + 300e3))
+            .collect(),
+        ..line.clone()
+    });
+    let there: Vec<RoadLine> = there.collect();
+    lines.extend(there);
+    let map = RoadMap::new(lines, RoadJoining::SHARED_POINTS);
+    let why = RoadIndex::new(&map, RoadClass::Service).unwrap_err();
+    let RoadIndexError::TooWide { north, east } = why else {
+        panic!("{why}");
+    };
+    assert!((300.0..302.0).contains(&north) && (300.0..302.0).contains(&east));
+    assert!(why.to_string().contains("at most 5000 km²"), "{why}");
+    let none = RoadMap::new(Vec::new(), RoadJoining::SHARED_POINTS);
+    let why = RoadIndex::new(&none, RoadClass::Service).unwrap_err();
+    assert_eq!(why, RoadIndexError::NoRoad);
 }
 
 #[test]
