@@ -123,7 +123,12 @@ impl ReferenceSystem {
         ]
         .iter()
         .any(|word| plain.contains(word));
-        (!is_projected).then_some(Self::Geographic)
+        // "WGS 84 / World Mercator": EPSG names a projected system behind that of its datum.
+        let is_behind_datum = text.split_once(" / ").is_some_and(|(before, _)| {
+            let before = before.to_ascii_uppercase().replace([' ', '_', '-'], "");
+            before.ends_with("WGS84")
+        });
+        (!is_projected && !is_behind_datum).then_some(Self::Geographic)
     }
 
     /// EPSG code, if it has one.
@@ -297,6 +302,8 @@ mod tests {
             ("32733", 32_733),
             ("WGS 84 / UTM zone 17N", 32_617),
             ("WGS 84 / Pseudo-Mercator", 3857),
+            ("WGS 84", 4326),
+            ("WGS 84 (EPSG::4326)", 4326),
             ("WGS_1984_Web_Mercator_Auxiliary_Sphere", 3857),
             (
                 r#"PROJCS["WGS_1984_UTM_Zone_33S",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984","#,
@@ -314,6 +321,8 @@ mod tests {
             "NAD83 / UTM zone 17N",
             "EPSG:26917",
             "WGS 84 / UTM zone 99N",
+            "WGS 84 / World Mercator",
+            " WGS 84 / World Mercator (EPSG::3395)",
             r#"GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257],TOWGS84[0,0.5,0,0,0,0,0]],"#,
             r#"PROJCS["WGS_1984_Lambert",GEOGCS["GCS_WGS_1984","#,
         ] {

@@ -37,7 +37,7 @@ pub(super) fn named(text: &str) -> Option<ReferenceSystem> {
     let wanted = plain_name(text);
     if let Some(datum) = datums::named(text) {
         let known = datums::DATUMS.iter().find(|known| known.datum == datum)?;
-        return system(known.code);
+        return by_code(known.code).ok();
     }
     let code = rows().find_map(|(codes, name, _)| {
         // Most rows are decided by their first letters.
@@ -58,5 +58,5 @@ pub(super) fn named(text: &str) -> Option<ReferenceSystem> {
             })
         })
     });
-    system(code?)
+    by_code(code?).ok()
 }

@@ -76,7 +76,7 @@ pub fn by_name(text: &str) -> Result<ReferenceSystem, SystemError> {
             Err(cause) => return ReferenceSystem::from_name(text).ok_or(cause),
         }
     }
-    (ReferenceSystem::from_name(text).or_else(|| codes::named(text)))
+    (codes::named(text).or_else(|| ReferenceSystem::from_name(text)))
         .ok_or_else(|| SystemError::unknown(format!("\"{}\"", shortened(text))))
 }
 

@@ -31,6 +31,34 @@ fn systems_are_known_by_code_and_by_the_names_of_epsg_and_esri() {
     }
 }
 
+/// A name of WGS 84 with a projection is not longitude and latitude.
+#[test]
+fn every_projected_system_of_wgs_84_is_known_by_its_name() {
+    use code_table::{codes_of, rows, stepped, unit_of};
+
+    let mut count = 0;
+    for (codes, name, _) in rows() {
+        for (first, last, datum, unit) in codes_of(codes) {
+            for code in (first..=last).filter(|_| datum == 4326) {
+                let rest = stepped(name, code - first).unwrap();
+                let text = format!("WGS 84 / {rest}{}", unit_of(unit).1);
+                assert_eq!(by_name(&text), by_code(code), "{text}");
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 40, "{count}");
+    assert_eq!(
+        by_name("WGS_1984_World_Mercator")
+            .ok()
+            .and_then(|s| s.epsg()),
+        Some(3395)
+    );
+    for text in ["WGS 84", "WGS84", "WGS 84 (EPSG::4326)", "GCS_WGS_1984"] {
+        assert_eq!(by_name(text), Ok(ReferenceSystem::Geographic), "{text}");
+    }
+}
+
 #[test]
 fn a_shift_in_a_text_is_used_and_told() {
     let text = |shift: &str| {
