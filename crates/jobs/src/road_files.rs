@@ -48,7 +48,7 @@ pub fn roads_in_world(
     let near = GroundRect::centered(GroundPoint::default(), 2.0 * REACH, 2.0 * REACH);
     let is_near = |road: &RoadLine| road.course.iter().any(|point| near.contains(point));
     let roads: Vec<RoadLine> = all.iter().filter(|road| is_near(road)).cloned().collect();
-    if all.is_empty() {
+    if read.roads.is_empty() {
         return Err(without_roads(&name));
     }
     if roads.is_empty() {
@@ -72,7 +72,7 @@ pub fn roads_in_world(
         }
         .to_owned(),
         name,
-        notes: notes(&roads, read, all.len() - roads.len()),
+        notes: notes(&roads, read, read.roads.len() - roads.len()),
         roads,
         ..ImportedFile::default()
     })
@@ -161,6 +161,23 @@ mod tests {
         assert!(cause.contains("Open a map of that place first"), "{cause}");
         let cause = read("town.osm", TOWN, 47.5).unwrap_err();
         assert!(cause.contains("over 30 km from here"), "{cause}");
+    }
+
+    #[test]
+    fn a_point_on_the_other_side_of_the_globe_is_left_out_of_its_road() {
+        let file = |course: &str| {
+            format!(
+                r#"{{"type": "FeatureCollection", "features": [{{"type": "Feature",
+                    "properties": {{"highway": "track"}},
+                    "geometry": {{"type": "LineString", "coordinates": {course}}}}}]}}"#
+            )
+        };
+        let stray = file("[[8.0, 47.0], [-172.0, -47.0], [8.001, 47.0]]");
+        let course = &read("stray.geojson", &stray, 47.0).unwrap().roads[0].course;
+        assert!(course.len() == 2 && course.iter().all(|p| p.distance(&course[0]) < 100.0));
+        let far = file("[[-172.0, -47.0], [-172.001, -47.0]]");
+        let cause = read("far.geojson", &far, 47.0).unwrap_err();
+        assert!(cause.contains("Open a map of that place first"), "{cause}");
     }
 
     #[test]

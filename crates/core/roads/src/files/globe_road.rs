@@ -84,7 +84,8 @@ impl RoadsRead {
         ))
     }
 
-    /// The roads in the world of `frame`.
+    /// The roads in the world of `frame` without points on the other side of the globe, which have no place on its plane; a road
+    /// of which less than two are left is left out.
     pub fn in_world(&self, frame: &LocalFrame) -> Vec<RoadLine> {
         let line = |road: &GlobeRoad| RoadLine {
             name: road.name.clone(),
@@ -96,10 +97,12 @@ impl RoadsRead {
                 .map(|(lon, lat)| {
                     frame.ground_from_geodetic(&Geodetic::from_degrees(*lat, *lon, 0.0))
                 })
+                .filter(|point| point.north.is_finite() && point.east.is_finite())
                 .collect(),
             ..RoadLine::default()
         };
-        self.roads.iter().map(line).collect()
+        let lines = self.roads.iter().map(line);
+        lines.filter(|line| line.course.len() > 1).collect()
     }
 }
 
@@ -147,5 +150,25 @@ mod tests {
             assert!((middle.longitude.to_degrees() - 8.2).abs() < 1e-9);
             assert!((middle.latitude.to_degrees() - 47.1).abs() < 1e-9);
         }
+    }
+    #[test]
+    fn points_on_the_other_side_of_the_globe_are_left_out() {
+        let road = |course: &[(f64, f64)]| GlobeRoad {
+            course: course.to_vec(),
+            ..GlobeRoad::default()
+        };
+        let read = RoadsRead {
+            roads: vec![
+                road(&[(-92.0, 46.8), (0.0, 0.0), (-92.0, 46.81)]),
+                road(&[(88.0, -46.8), (88.0, -46.9)]),
+            ],
+            ..RoadsRead::default()
+        };
+        let duluth = LocalFrame::new(Geodetic::from_degrees(46.8, -92.0, 0.0));
+        let lines = read.in_world(&duluth);
+        // A hundredth of a degree of latitude.
+        let length = course_length(&lines[0].course);
+        assert!((length - 1111.8).abs() < 0.5, "{length}");
+        assert_eq!(lines.len(), 1);
     }
 }
