@@ -37,7 +37,7 @@ pub type AtHeight<const M: usize> = Extended<M, HeightModel>;
 impl StatePair for HeightModel {
     const COMPONENTS: [StateComponent; 2] = [StateComponent::Height, StateComponent::BarometerBias];
 
-    fn change(&self, _way: impl FnOnce() -> f64, dt: f64) -> PairChange {
+    fn change(&self, _way: impl FnOnce() -> Option<f64>, dt: f64) -> PairChange {
         PairChange {
             left: 1.0,
             added: [

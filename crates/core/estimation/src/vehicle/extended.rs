@@ -22,8 +22,9 @@ pub trait StatePair: Clone + Send + Sync + 'static {
     /// Names of the two.
     const COMPONENTS: [StateComponent; 2];
 
-    /// Their change over `dt` seconds, in which the vehicle flies so far over ground as `way` says, metres.
-    fn change(&self, way: impl FnOnce() -> f64, dt: f64) -> PairChange;
+    /// Their change over `dt` seconds, in which the vehicle flies so far over ground as `way` says, metres; `None` where its
+    /// model knows no velocity.
+    fn change(&self, way: impl FnOnce() -> Option<f64>, dt: f64) -> PairChange;
 
     /// Their variances at the start.
     fn prior_variances(&self) -> [f64; 2];
@@ -49,7 +50,7 @@ impl<const M: usize, P: StatePair> Extended<M, P> {
 
     /// Variances that are added to the pair over a step from `own`.
     fn added(&self, own: &SVector<f64, M>, input: &ControlInput, dt: f64) -> [f64; 2] {
-        self.change(own, || self.vehicle.propagate(own, input, dt), dt)
+        self.change(own, input, || self.vehicle.propagate(own, input, dt), dt)
             .added
     }
 
@@ -57,12 +58,14 @@ impl<const M: usize, P: StatePair> Extended<M, P> {
     fn change(
         &self,
         from: &SVector<f64, M>,
+        input: &ControlInput,
         to: impl FnOnce() -> SVector<f64, M>,
         dt: f64,
     ) -> PairChange {
         let way = || {
+            self.vehicle.ground_velocity(from, input)?;
             let to = to();
-            Vector2::new(to[0] - from[0], to[1] - from[1]).norm()
+            Some(Vector2::new(to[0] - from[0], to[1] - from[1]).norm())
         };
         self.pair.change(way, dt)
     }
@@ -92,7 +95,7 @@ macro_rules! extended {
             ) -> SVector<f64, $n> {
                 let own = Self::own(state);
                 let moved = self.vehicle.propagate(&own, input, dt);
-                let left = self.change(&own, || moved, dt).left;
+                let left = self.change(&own, input, || moved, dt).left;
                 SVector::from_fn(|i, _| if i < $m { moved[i] } else { left * state[i] })
             }
 

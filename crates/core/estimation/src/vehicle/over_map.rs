@@ -1,8 +1,8 @@
 //! A vehicle over a map that is not quite where it says.
 
-use super::StateComponent;
 use super::extended::{Extended, PairChange, StatePair};
 use super::noise::GaussMarkov;
+use super::{AirData, StateComponent};
 
 /// Error of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub struct MapError {
     pub deviation: f64,
     /// Way over ground after which the error has changed but for a share of 1/e, metres.
     pub reach: f64,
+    /// Speed over ground, m/s, of a vehicle whose model knows no velocity: it flies, too, though its mean stays where it is.
+    pub speed: f64,
 }
 
 impl MapError {
@@ -22,6 +24,7 @@ impl MapError {
         Self {
             deviation,
             reach: 2000.0,
+            speed: AirData::default().cruise_airspeed,
         }
     }
 }
@@ -37,8 +40,9 @@ impl StatePair for MapError {
     const COMPONENTS: [StateComponent; 2] =
         [StateComponent::MapErrorNorth, StateComponent::MapErrorEast];
 
-    fn change(&self, way: impl FnOnce() -> f64, _dt: f64) -> PairChange {
-        let change = GaussMarkov::over(self.deviation, self.reach, way());
+    fn change(&self, way: impl FnOnce() -> Option<f64>, dt: f64) -> PairChange {
+        let way = way().unwrap_or(self.speed * dt.abs());
+        let change = GaussMarkov::over(self.deviation, self.reach, way);
         PairChange {
             left: change.persistence,
             added: [change.value_variance; 2],
@@ -59,7 +63,9 @@ mod tests {
 
     use super::*;
     use crate::filter::{Gaussian, Ukf, UnscentedSettings};
-    use crate::vehicle::{ConstantVelocity, ControlInput, VehicleModel as _};
+    use crate::vehicle::{
+        ConstantVelocity, ControlInput, RandomWalk, VehicleModel as _, VelocityDriven,
+    };
 
     fn over_map() -> OverMap<4> {
         OverMap::new(Arc::new(ConstantVelocity::default()), MapError::of(3.0))
@@ -128,5 +134,30 @@ mod tests {
         // Together with what is left it is as far off as anywhere.
         let left = (-2.0_f64).exp() * 9.0;
         assert!((added + left - 9.0).abs() < 1e-9, "{added}");
+    }
+    #[test]
+    fn the_map_changes_under_a_vehicle_whose_model_knows_no_velocity() {
+        let error = MapError {
+            speed: 20.0,
+            ..MapError::of(3.0)
+        };
+        let input = ControlInput::default();
+        // 2 km at 20 m/s: 1/e is left, and 9 m² (1 - 1/e²) are new.
+        let (left, added) = ((-1.0_f64).exp(), 9.0 * (1.0 - (-2.0_f64).exp()));
+        let walk = OverMap::<2>::new(Arc::new(RandomWalk::default()), error);
+        let state = nalgebra::Vector4::new(50.0, 60.0, 2.0, 0.0);
+        let later = walk.propagate(&state, &input, 100.0);
+        assert!((later[2] - 2.0 * left).abs() < 1e-9, "{later}");
+        let noise = walk.process_noise(&state, &input, 100.0)[(2, 2)];
+        assert!((noise - added).abs() < 1e-9, "{noise}");
+        // The same while a velocity is not measured; one of zero is one that is known.
+        let driven = OverMap::<4>::new(Arc::new(VelocityDriven::default()), error);
+        let noise = |input| driven.process_noise(&SVector::zeros(), &input, 100.0)[(4, 4)];
+        assert!((noise(input) - added).abs() < 1e-9, "{}", noise(input));
+        let standing = ControlInput {
+            ground_velocity: Some(Vector2::zeros()),
+            ..input
+        };
+        assert_eq!(noise(standing), 0.0);
     }
 }

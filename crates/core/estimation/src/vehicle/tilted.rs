@@ -21,7 +21,7 @@ pub type Tilted<const M: usize> = Extended<M, TiltBias>;
 impl StatePair for TiltBias {
     const COMPONENTS: [StateComponent; 2] = [StateComponent::RollBias, StateComponent::PitchBias];
 
-    fn change(&self, _way: impl FnOnce() -> f64, _dt: f64) -> PairChange {
+    fn change(&self, _way: impl FnOnce() -> Option<f64>, _dt: f64) -> PairChange {
         PairChange {
             left: 1.0,
             added: [0.0; 2],

@@ -1,6 +1,6 @@
 //! The posterior Cramér-Rao bound of a run: the same geometry, the same detections, the true noise.
 
-use nalgebra::{Const, Dyn, Matrix4, OMatrix, OVector, SVector};
+use nalgebra::{Const, Dyn, Matrix4, OMatrix, OVector, Rotation2, SVector, Vector2};
 
 use super::engine::{frame_noise, visit_model};
 use super::expected::{Anchor, AppearanceModel, appearances};
@@ -9,8 +9,8 @@ use super::tilt::ByTilt;
 use super::{Run, StepReport};
 use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{CramerRao, FilterError, numerical_jacobian};
-use pilotage_estimation::vehicle::{StateComponent, VehicleModel, VehicleVisitor};
-use pilotage_flight::Flight;
+use pilotage_estimation::vehicle::{ControlInput, StateComponent, VehicleModel, VehicleVisitor};
+use pilotage_flight::{Flight, Truth};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::geometry::joint_noise;
 
@@ -76,23 +76,13 @@ impl VehicleVisitor for Bound<'_> {
         let inputs = Inputs::of(self.flight);
         let (mut sum, mut count) = (0.0, 0_usize);
         for step in &self.run.steps {
-            let Some(truth) = self
-                .flight
-                .truth
-                .as_ref()
-                .and_then(|t| t.position(step.time))
-            else {
+            let input = inputs.between(self.flight, step.time - step.dt, step.time);
+            let Some(truth) = self.flight.truth.as_ref() else {
                 continue;
             };
-            let mut state = SVector::<f64, N>::zeros();
-            state[0] = truth.x;
-            state[1] = truth.y;
-            let wind = self.flight.truth.as_ref().and_then(|t| t.wind(step.time));
-            if let Some((i, wind)) = model.wind_index().zip(wind) {
-                state[i] = wind.x;
-                state[i + 1] = wind.y;
-            }
-            let input = inputs.between(self.flight, step.time - step.dt, step.time);
+            let Some(state) = true_state(&model, truth, (step.time, step.dt), &input) else {
+                continue;
+            };
             let transition = numerical_jacobian(
                 |x: &SVector<f64, N>| Some(model.propagate(x, &input, step.dt)),
                 &state,
@@ -108,6 +98,37 @@ impl VehicleVisitor for Bound<'_> {
         }
         Ok((sum / count.max(1) as f64).sqrt())
     }
+}
+
+/// State of the vehicle at `time`, the end of a step of `dt` seconds: true position, wind, and velocity over the step; zero
+/// is what the truth does not tell. `None` where it tells no position.
+fn true_state<const N: usize, V: VehicleModel<N>>(
+    model: &V,
+    truth: &Truth,
+    (time, dt): (f64, f64),
+    input: &ControlInput,
+) -> Option<SVector<f64, N>> {
+    let position = truth.position(time)?.xy();
+    let mut state = SVector::<f64, N>::zeros();
+    let mut enter = |first: Option<usize>, pair: Vector2<f64>| {
+        if let Some(i) = first {
+            (state[i], state[i + 1]) = (pair.x, pair.y);
+        }
+    };
+    enter(Some(0), position.coords);
+    let wind = truth.wind(time);
+    if let Some(wind) = wind {
+        enter(model.wind_index(), wind);
+    }
+    let before = truth.position(time - dt);
+    if let Some(before) = before.filter(|_| dt > 0.0) {
+        let velocity = (position - before.xy()) / dt;
+        enter(model.index_of(StateComponent::VelocityNorth), velocity);
+        let through_air = velocity - wind.unwrap_or_else(Vector2::zeros);
+        let in_body = Rotation2::new(input.heading()).inverse() * through_air;
+        enter(model.index_of(StateComponent::VelocityForward), in_body);
+    }
+    Some(state)
 }
 
 impl Bound<'_> {
@@ -227,7 +248,8 @@ mod tests {
 
     use super::super::{KnownGround, Navigator};
     use super::*;
-    use pilotage_flight::{Channel, ChannelName, NoPictures, StartFix, Truth, TruthState};
+    use pilotage_estimation::vehicle::{ConstantVelocity, Multirotor};
+    use pilotage_flight::{Channel, ChannelName, NoPictures, StartFix, TruthState};
     use pilotage_mission::settings::{ChosenAid, VehicleChoice};
     use pilotage_raster::camera::CameraModel;
     use pilotage_raster::imagery::Blank;
@@ -298,5 +320,29 @@ mod tests {
             ..settings
         };
         assert!(position_bound(&flight, &run, &other).is_none());
+    }
+
+    /// The way that it flies over the map follows from it, and how much of the map's error is another one.
+    #[test]
+    fn the_state_at_the_truth_flies_as_the_vehicle_did() {
+        let mut truth = flight().truth.unwrap();
+        for state in &mut truth.states {
+            state.wind = Some(Vector2::new(3.0, 5.0));
+        }
+        // Heads south while the ground goes by to the east at 20 m/s in a wind from the south-west.
+        let input = ControlInput::without_airspeed(Attitude::level(std::f64::consts::PI));
+        let at = (12.5, 0.5);
+        let over_ground = true_state(&ConstantVelocity::default(), &truth, at, &input).unwrap();
+        let expected = [0.0, 250.0, 0.0, 20.0];
+        assert!((over_ground - SVector::from(expected)).norm() < 1e-9);
+        let through_air = true_state(&Multirotor::default(), &truth, at, &input).unwrap();
+        // Through the air 3 m/s south, which is ahead, and 15 m/s east, which is to the left.
+        let expected = [0.0, 250.0, 3.0, 5.0, 3.0, -15.0];
+        assert!(
+            (through_air - SVector::from(expected)).norm() < 1e-9,
+            "{through_air}"
+        );
+        let after = true_state(&ConstantVelocity::default(), &truth, (30.0, 0.5), &input);
+        assert_eq!(after, None);
     }
 }

@@ -61,7 +61,10 @@ pub fn map_error(settings: &NavigatorSettings) -> Option<MapError> {
         .iter()
         .filter_map(|error| error.of(&settings.aids));
     let deviation = of_aids.chain(of_frames).fold(0.0, f64::max);
-    (deviation > 0.0 && !settings.estimates_height).then(|| MapError::of(deviation))
+    (deviation > 0.0 && !settings.estimates_height).then(|| MapError {
+        speed: settings.process.cruise.airspeed,
+        ..MapError::of(deviation)
+    })
 }
 
 /// The vehicle model that the settings ask for.
