@@ -10,11 +10,11 @@ use pilotage_core::plan::{
 };
 
 use super::field::LOOKS_AWAY;
-use super::order::{Order, Urgency, WorkerRole};
+use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::running::slice;
 use super::{
-    Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, RunningJob,
-    WorkerState,
+    Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, MapSource,
+    RunningJob, WorkerState,
 };
 
 /// Cells along the longer side of the ground that is searched, at most.
@@ -187,6 +187,14 @@ impl Order for FindOrder {
 
     fn role(&self) -> WorkerRole {
         WorkerRole::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.field.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.field.reads()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

@@ -52,8 +52,11 @@ mod tests {
 
     use super::*;
     use crate::fetched_tiles::FetchedTiles;
-    use crate::{BriefOrder, FieldFrom, FieldOrder, TileOrder};
+    use crate::{
+        BriefOrder, FieldFrom, FieldOrder, PlannedPath, PredictionOrder, RouteWishes, TileOrder,
+    };
     use pilotage_core::imagery::Window;
+    use pilotage_core::mission::Mission;
 
     fn map() -> WebMap {
         WebMap {
@@ -105,6 +108,41 @@ mod tests {
         }
         let (nothing, is_whole) = map.open(&without).window_so_far(&window);
         assert!(is_whole && nothing.pixels().iter().all(|p| p[3] == 0));
+    }
+
+    #[test]
+    fn a_route_over_what_the_map_offers_gets_the_files_or_the_tiles_of_that_map() {
+        let order = |map: MapSource, from| {
+            let camera = CameraModel::pinhole(640, 480, 0.8);
+            let ends = (GroundPoint::default(), GroundPoint::new(900.0, 0.0));
+            let mission = Mission::new("Any", Geodetic::from_degrees(46.857, -92.076, 0.0));
+            let path = PlannedPath::level(vec![ends.0, ends.1], 100.0, camera.clone());
+            let field = FieldOrder {
+                map,
+                region: GroundRect::centered(GroundPoint::default(), 4000.0, 4000.0),
+                view: FieldView {
+                    camera,
+                    height: 100.0,
+                    position: 10.0,
+                    tilt: 0.0,
+                },
+                from,
+            };
+            let flight = PredictionOrder::along(path, &mission);
+            let order = RouteWishes::default().order(ends, field, flight, Vec::new(), None);
+            Job::Find(Box::new(order.unwrap()))
+        };
+        let of_map = || FieldFrom::Map {
+            search_sigmas: 3.0,
+            days: FieldFrom::FEW_DAYS,
+        };
+        let of_files = order(MapSource::Files("drop".to_owned()), of_map());
+        assert_eq!(of_files.files(), ["drop"]);
+        // Both ends and the ground around them: a square kilometre has tens of tiles 209 m wide (zoom 17 at 47° north).
+        let wanted = wanted_addresses(&order(MapSource::Web(map()), of_map()));
+        assert!(wanted.len() > 20, "{wanted:?}");
+        let of_landmarks = FieldFrom::Landmarks(Vec::new());
+        assert!(wanted_addresses(&order(MapSource::Web(map()), of_landmarks)).is_empty());
     }
 
     #[test]
