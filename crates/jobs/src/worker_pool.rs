@@ -224,15 +224,22 @@ impl<P: WorkerPort> WorkerPool<P> {
             order.left.clone_from(&report.left);
         }
         if event.is_last() {
-            self.jobs.remove(&id);
-            self.held.remove(&id);
-            self.waiting.remove(&id);
-            self.take_turns(role_at(seat));
-            if self.seats[seat].is_leaving {
-                self.end_if_idle(seat);
-            }
+            self.strike(id);
         }
         self.tell(id, event);
+    }
+
+    /// Takes a job off the list: of what its worker still says of it nothing is heard.
+    fn strike(&mut self, id: JobId) {
+        let Some(Assigned { seat, .. }) = self.jobs.remove(&id) else {
+            return;
+        };
+        self.held.remove(&id);
+        self.waiting.remove(&id);
+        self.take_turns(role_at(seat));
+        if self.seats[seat].is_leaving {
+            self.end_if_idle(seat);
+        }
     }
 
     /// Says what a worker said of a job; of a share, what follows for the whole.
@@ -258,9 +265,10 @@ impl<P: WorkerPort> WorkerPool<P> {
                 if event.is_last()
                     && let Some(whole) = self.shared.remove(&whole_id)
                 {
-                    // Of those that go on nothing is heard any more.
+                    // They may have failed, too, before they hear of it.
                     for part in whole.parts() {
                         self.cancel(part);
+                        self.strike(part);
                     }
                     self.let_tiles_go(whole_id);
                 }

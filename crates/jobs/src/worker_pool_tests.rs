@@ -414,6 +414,15 @@ fn a_shared_measurement_is_cancelled_as_one_and_fails_as_one() {
     worker_pool.receive(WHOLE_FLIES, Reply::Event(even, failed()));
     assert_eq!(worker_pool.take_events(), [(id, failed())]);
     assert!(sent_to(&notes, WHOLE_SHOWS).contains(&Request::Cancel(odd)));
+    // The other share failed in the same moment, before it heard that it is to stop.
+    worker_pool.receive(WHOLE_SHOWS, Reply::Event(odd, JobEvent::Views(Vec::new())));
+    worker_pool.receive(WHOLE_SHOWS, Reply::Event(odd, failed()));
+    assert_eq!(worker_pool.take_events(), [], "it was told once");
+    worker_pool.let_go(&std::collections::BTreeSet::new());
+    assert!(
+        notes.borrow().contains(&Note::Closed(WHOLE_SHOWS)),
+        "it has nothing to do"
+    );
 }
 
 #[test]
