@@ -25,8 +25,7 @@ pub fn expected(
     let landmarks = enabled(ground);
     let order = |l: &&Landmark| ground.assessment(l, seed);
     let orders: Vec<AssessmentOrder> = landmarks.iter().map(order).collect();
-    let misfits: Vec<String> = orders.iter().map(AssessmentOrder::misfit).collect();
-    let mut measured = Vec::new();
+    let (mut measured, mut fits) = (Vec::new(), true);
     let begun = std::time::Instant::now();
     workers::run(orders, &ground.lent(), &mut |number, event| {
         let landmark = landmarks[number];
@@ -36,7 +35,11 @@ pub fn expected(
                 found.false_matches,
                 found.statistics(),
             ),
-            JobEvent::Failed(why) if why != misfits[number] => return Err(why),
+            JobEvent::Misfit => {
+                fits = false;
+                return Ok(());
+            }
+            JobEvent::Failed(why) if std::mem::replace(&mut fits, true) => return Err(why),
             JobEvent::Failed(_) => (
                 "never: it does not fit into the picture".to_owned(),
                 Rehearsal::false_matches(&[]),

@@ -16,7 +16,8 @@ use super::{
 };
 
 impl AssessmentOrder {
-    /// Failure of a landmark that does not fit into a picture, which is therefore never found.
+    /// Words for the failure of a landmark that does not fit into a picture, which is therefore never found; the event
+    /// `Misfit` goes before them.
     pub fn misfit(&self) -> String {
         format!(
             "{} does not fit into a picture from {:.0} m; make its box smaller or fly higher",
@@ -120,6 +121,7 @@ impl RunningJob for Assess {
                 assessor.pass_over()
             };
             if !fits {
+                emit(JobEvent::Misfit);
                 return Err(self.order.misfit());
             }
             self.looks += 1;

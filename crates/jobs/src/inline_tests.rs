@@ -6,8 +6,8 @@ use pilotage_core::simulate::Scenario;
 
 use super::*;
 use crate::{
-    FlightSource, FlyOrder, MapSource, ProposeOrder, ShareOrder, SimulationOptions, SumUpOrder,
-    TileOrder,
+    AssessmentOrder, FlightSource, FlyOrder, MapSource, ProposeOrder, Share, ShareOrder,
+    SimulationOptions, SumUpOrder, TileOrder,
 };
 
 fn fly(scenario: &str) -> Job {
@@ -123,13 +123,11 @@ fn run(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     host.events().into_iter().map(|(_, event)| event).collect()
 }
 
-/// Assessment of a landmark, measured as one job or in two shares.
-fn measure(shares: usize) -> crate::Assessment {
-    use crate::{AssessmentOrder, Share};
-    use pilotage_core::simulate::Scenario;
+/// A landmark to be measured.
+fn measured() -> Box<AssessmentOrder> {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
     let mission = scenario.mission();
-    let order = Box::new(AssessmentOrder {
+    Box::new(AssessmentOrder {
         map: MapSource::world("countryside"),
         landmark: mission.landmarks[0].clone(),
         camera: Scenario::camera(),
@@ -137,7 +135,12 @@ fn measure(shares: usize) -> crate::Assessment {
         navigator: mission.navigator,
         ground_down: 0.0,
         seed: AssessmentOrder::SEED,
-    });
+    })
+}
+
+/// Assessment of a landmark, measured as one job or in two shares.
+fn measure(shares: usize) -> crate::Assessment {
+    let order = measured();
     let mut host = InlineWorkers::new();
     let mut views = Vec::new();
     let last = if shares == 1 {
@@ -170,9 +173,26 @@ fn a_measurement_in_two_shares_says_the_very_same() {
     assert_eq!(measure(2), measure(1));
 }
 
+#[test]
+fn of_a_landmark_that_does_not_fit_into_a_picture_the_kind_of_failure_is_told_beside_its_words() {
+    let mut order = measured();
+    // A camera of 45° sees 100 m from 120 m.
+    order.landmark.bounds = GroundRect::centered(order.landmark.bounds.center(), 600.0, 600.0);
+    let words = format!("{}.", order.misfit());
+    let share = Share { part: 1, of: 2 };
+    for job in [
+        Job::Assess(order.clone()),
+        Job::AssessShare(ShareOrder(order, share)),
+    ] {
+        let events = run(&mut InlineWorkers::new(), job);
+        let end = &events[events.len() - 2..];
+        assert_eq!(end, [JobEvent::Misfit, JobEvent::Failed(words.clone())]);
+    }
+}
+
 /// Landmarks proposed for a short leg, as one job or in two shares.
 fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
-    use crate::{Share, SuggestOrder};
+    use crate::SuggestOrder;
     use pilotage_core::frames::GroundPoint;
     use pilotage_core::plan::{FieldView, Proposal};
     use pilotage_core::simulate::{Scenario, SensorSpec};

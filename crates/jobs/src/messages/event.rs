@@ -128,6 +128,8 @@ pub enum JobEvent {
     Views(Vec<(usize, ViewResult)>),
     /// Assessment of a landmark.
     Assessment(Box<Assessment>),
+    /// A landmark does not fit into a picture, which is why it cannot be assessed; `Failed` follows with the words.
+    Misfit,
     /// Worth of a landmark of the map that nobody tested.
     Untested(Box<UntestedDetection>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.

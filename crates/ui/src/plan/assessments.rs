@@ -66,11 +66,11 @@ struct FailedMeasurement {
 
 impl FailedMeasurement {
     /// Failure of what was ordered.
-    fn new(order: &AssessmentOrder, why: &str) -> Self {
+    fn new(order: &AssessmentOrder, why: &str, misfit: Option<f64>) -> Self {
         Self {
             landmark: order.landmark.clone(),
             why: why.to_owned(),
-            misfit: (why == order.misfit()).then_some(order.height),
+            misfit,
         }
     }
 }
@@ -426,9 +426,15 @@ impl Assessments {
         match event {
             JobEvent::Progress(fraction, words) => self.progress = (*fraction, words.clone()),
             JobEvent::Assessment(found) => self.keep(found),
-            JobEvent::Failed(why) => {
-                let failed = FailedMeasurement::new(&order, why);
+            JobEvent::Misfit => {
+                let failed = FailedMeasurement::new(&order, &order.misfit(), Some(order.height));
                 self.failed.insert(order.landmark.id, failed);
+            }
+            JobEvent::Failed(why) => {
+                let id = order.landmark.id;
+                let misfit = self.failed.get(&id).and_then(|it| it.misfit);
+                let failed = FailedMeasurement::new(&order, why, misfit);
+                self.failed.insert(id, failed);
                 return true;
             }
             JobEvent::Finished | JobEvent::Cancelled => return true,
@@ -447,7 +453,7 @@ impl Assessments {
                 self.envelopes.insert(landmark.id, known);
             }
             JobEvent::Failed(why) => {
-                let failed = FailedMeasurement::new(&order, why);
+                let failed = FailedMeasurement::new(&order, why, None);
                 self.failed.insert(landmark.id, failed);
                 return;
             }

@@ -1,7 +1,7 @@
 use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::plan::{DetectionStatistics, UntestedDetection};
-use pilotage_jobs::{Job, JobEvent};
+use pilotage_jobs::{InlineWorkers, Job, JobEvent};
 
 use super::super::support::{Ahead, ScriptedHost, rig_on};
 use super::{choose, draw, number, planning, set};
@@ -395,8 +395,15 @@ fn a_landmark_that_is_too_large_for_a_picture_is_tried_again_from_higher_up() {
     let Some((id, Job::Assess(order))) = asked else {
         panic!("a test was asked for, not {asked:?}");
     };
-    let why = order.misfit();
-    rig.host().events.push((id, JobEvent::Failed(why)));
+    // What is said is what a worker really says, of a box that is wider than any picture from there.
+    let mut large = order.clone();
+    large.landmark.bounds = large.landmark.bounds.grown(2.0 * order.height);
+    let mut workers = InlineWorkers::new();
+    workers.start(Job::Assess(large));
+    while workers.busy() {
+        let told = workers.events().into_iter();
+        rig.host().events.extend(told.map(|(_, event)| (id, event)));
+    }
     rig.settle();
     rig.harness
         .get_by_label("Not tested: counted as never found.");
