@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::text::{distinct_names, in_quotes, plain_name};
-use pilotage_jobs::{EvaluationOrder, EvaluationReport, JobEvent, JudgedDetector};
+use pilotage_jobs::{EvaluationOrder, EvaluationReport, FlownCamera, JobEvent, JudgedDetector};
 
 use crate::CommandResult;
 use crate::files::write_whole;
@@ -85,6 +85,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
                 .map_or(usual.photos, |photos| photos as usize),
             days: arguments.days.map_or(usual.days, |days| days as usize),
             seed: arguments.seed.unwrap_or(usual.seed),
+            camera: FlownCamera::of(&ground.mission),
             labels: ground.mission.labels.clone(),
             most_frames: usize::MAX,
             false_alarms: arguments.false_alarms.unwrap_or(usual.false_alarms),

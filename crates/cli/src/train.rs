@@ -10,7 +10,9 @@ use pilotage_core::mission::write_mission;
 use pilotage_core::plan::Proposal;
 use pilotage_core::text::{distinct_names, plain_name};
 use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
-use pilotage_jobs::{JobEvent, LabelledFrames, OpenFlight, TrainOrder, TrainingOutcome};
+use pilotage_jobs::{
+    FlownCamera, JobEvent, LabelledFrames, OpenFlight, TrainOrder, TrainingOutcome,
+};
 use serde::Serialize;
 
 use crate::CommandResult;
@@ -149,6 +151,7 @@ fn train(
         lent = lent.clone().with_flight(&folder);
         LabelledFrames {
             flight: Lent::flight(),
+            camera: FlownCamera::of(&ground.mission),
             labels: ground.mission.labels.clone(),
         }
     });

@@ -5,8 +5,9 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
+use std::sync::Arc;
 
-use pilotage_core::flight::FrameSource as _;
+use pilotage_core::flight::{Flight, FrameSource as _};
 use pilotage_core::landmark::trained::TrainedDetector;
 use pilotage_core::training::FlightEnvelope;
 use pilotage_core::training::evaluation::{
@@ -142,7 +143,9 @@ fn basis(evaluation: &Evaluation) -> String {
 
 /// Real frames to be looked at.
 struct RealFrames {
-    flight: Rc<RefCell<OpenFlight>>,
+    open: Rc<RefCell<OpenFlight>>,
+    /// The flight as its mission has it flown.
+    flight: Arc<Flight>,
     /// Their numbers, the next one last.
     left: Vec<usize>,
     all: usize,
@@ -158,18 +161,16 @@ impl RealFrames {
         source: &FlightSource,
         order: &EvaluationOrder,
     ) -> Result<ChosenFrames, String> {
-        let flight = worker.flight(source)?;
-        let held_out = {
-            let open = flight.borrow();
-            let has_truth = open.flight.truth.is_some();
-            let of = || HeldOutFrames::of(&open.flight, &order.labels, order.about.landmark.id);
-            has_truth.then(of).unwrap_or_default()
-        };
+        let open = worker.flight(source)?;
+        let flight = order.camera.flown(&open.borrow().flight);
+        let of = || HeldOutFrames::of(&flight, &order.labels, order.about.landmark.id);
+        let held_out = flight.truth.is_some().then(of).unwrap_or_default();
         let frames = &held_out.frames;
         let count = frames.len().min(order.most_frames);
         let left = (0..count).rev().map(|i| frames[i * frames.len() / count]);
         let left = left.collect();
         let real = (count > 0).then_some(Self {
+            open,
             flight,
             all: count,
             left,
@@ -284,15 +285,15 @@ impl Evaluate {
             }
             let next = work.real.as_mut().and_then(|real| {
                 let index = real.left.pop()?;
-                Some((Rc::clone(&real.flight), index))
+                Some((Rc::clone(&real.open), Arc::clone(&real.flight), index))
             });
-            let Some((flight, index)) = next else {
+            let Some((open, flight, index)) = next else {
                 return Ok(false);
             };
-            let mut open = flight.borrow_mut();
-            let picture = open.frames.picture(index).map_err(|e| e.to_string())?;
+            let picture = open.borrow_mut().frames.picture(index);
+            let picture = picture.map_err(|e| e.to_string())?;
             let frames = FrameJudge {
-                flight: &open.flight,
+                flight: &flight,
                 envelope: &work.envelope,
                 day: plan.days,
                 seed: plan.seed,
@@ -431,12 +432,13 @@ mod tests {
         Cascade, CascadeFeature, NodeSplit, TrainedStage, TrainedTree,
     };
     use pilotage_core::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
-    use pilotage_core::mission::FrameLabels;
+    use pilotage_core::mission::{FrameLabels, Mission};
     use pilotage_core::simulate::Scenario;
 
     use super::*;
     use crate::{
-        Abilities, AssessmentOrder, Job, JobRunner, MapSource, Reply, Request, SimulationOptions,
+        Abilities, AssessmentOrder, FlownCamera, Job, JobRunner, MapSource, Reply, Request,
+        SimulationOptions,
     };
 
     /// A detector that marks every place of the ground alike.
@@ -568,6 +570,35 @@ mod tests {
         order.most_frames = 2;
         let judged: JudgedDetector = crate::running::figures(order.in_detail());
         assert!(judged.evaluation.real > 0);
+    }
+
+    #[test]
+    fn real_frames_are_looked_at_by_the_camera_that_the_mission_has_for_the_flight() {
+        let judged = |focal: f64, camera: FlownCamera| {
+            let order = EvaluationOrder {
+                most_frames: 3,
+                camera,
+                ..order(true)
+            };
+            let mut worker = WorkerState::new(Abilities::WHOLE.opens);
+            let open = worker.flight(order.flight.as_ref().unwrap()).unwrap();
+            Arc::make_mut(&mut open.borrow_mut().flight).camera.focal *= focal;
+            let (mut job, mut figures) = (order.in_detail().begin(&mut worker), None);
+            let mut keep = |event: JobEvent| figures = event.read_figures().ok().or(figures.take());
+            while job.advance(&mut worker, &|| 0.0, &mut keep).unwrap() == Advance::More {}
+            let judged: JudgedDetector = figures.expect("figures");
+            let looks = judged.looks.into_iter();
+            looks.filter(|look| look.real).collect::<Vec<_>>()
+        };
+        let mission = Scenario::named("distinct-400ft-calm").unwrap().mission();
+        let right = FlownCamera::of(&Mission {
+            camera: Some(Scenario::camera()),
+            ..mission
+        });
+        let as_opened = judged(1.0, FlownCamera::default());
+        assert_eq!(as_opened.len(), 3);
+        assert_eq!(judged(2.0, right), as_opened);
+        assert_ne!(judged(2.0, FlownCamera::default()), as_opened);
     }
 
     #[test]

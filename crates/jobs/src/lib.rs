@@ -105,14 +105,14 @@ pub use messages::{
     AidedResult, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder, BriefPictures, COARSE,
     CalibrationOrder, ContestOrder, DetectorSearch, Distinctness, DrapeOrder, EncodedPicture,
     EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FINE, FieldFrom, FieldOrder,
-    FileContent, FindOrder, FixesFrom, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder,
-    HighGround, ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames,
-    LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
-    MeasuredLandmark, MeasurementBasis, OpenedFiles, Outage, OutageOrder, OutageReport, PackOrder,
-    PhotoReport, PhotosOrder, PlannedPath, PredictionOrder, ReadControlPoints, ReadLog,
-    RecordedPlaces, RehearsedFlight, Reply, Request, RouteWishes, SeriesName, Share,
-    SimulationOptions, StudiedFlight, StudyReport, SuggestOrder, TerrainInfo, TrainOrder,
-    TrainingLeft, TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
+    FileContent, FindOrder, FixesFrom, FlightSource, FlownCamera, Foreseen, FoundPlan, Glance,
+    HeightsOrder, HighGround, ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement,
+    LabelledFrames, LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource,
+    MatchPictures, MeasuredLandmark, MeasurementBasis, OpenedFiles, Outage, OutageOrder,
+    OutageReport, PackOrder, PhotoReport, PhotosOrder, PlannedPath, PredictionOrder,
+    ReadControlPoints, ReadLog, RecordedPlaces, RehearsedFlight, Reply, Request, RouteWishes,
+    SeriesName, Share, SimulationOptions, StudiedFlight, StudyReport, SuggestOrder, TerrainInfo,
+    TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use opening::{map as map_among, mission_beside_flight};

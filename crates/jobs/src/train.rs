@@ -93,7 +93,7 @@ impl Train {
         emit(JobEvent::Progress(0.0, words));
         let flight = worker.flight(&frames.flight)?;
         let mut open = flight.borrow_mut();
-        let (flight, pictures) = (open.flight.clone(), &mut open.frames);
+        let (flight, pictures) = (frames.camera.flown(&open.flight), &mut open.frames);
         let labels = std::slice::from_ref(labels);
         let read = labelled_photos(&flight, labels, &order.landmark, |i| pictures.picture(i));
         self.labelled.extend(read.map_err(|why| why.to_string())?);

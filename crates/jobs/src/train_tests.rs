@@ -5,15 +5,15 @@ use std::cell::Cell;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::{GeoreferencedPicture, GroundFromPixel};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{FrameLabels, LabelBox};
+use pilotage_core::mission::{FrameLabels, LabelBox, Mission};
 use pilotage_core::raster::Raster;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::training::{TrainingPhase, TrainingPlan};
 
 use super::*;
 use crate::{
-    Abilities, FlightSource, Job, JobId, JobRunner, LabelledFrames, MapSource, Reply, Request,
-    SimulationOptions,
+    Abilities, FlightSource, FlownCamera, Job, JobId, JobRunner, LabelledFrames, MapSource, Reply,
+    Request, SimulationOptions,
 };
 
 fn order() -> TrainOrder {
@@ -229,8 +229,48 @@ fn labelled(landmark: &Landmark) -> LabelledFrames {
     });
     LabelledFrames {
         flight: source,
+        camera: FlownCamera::default(),
         labels,
     }
+}
+
+/// Photos of labelled frames of a flight whose focal length is stated so many times too long.
+fn photos(labelled: LabelledFrames, focal: f64) -> Vec<TrainingPhoto> {
+    let mut worker = WorkerState::new(Abilities::WHOLE.opens);
+    let open = worker.flight(&labelled.flight).unwrap();
+    std::sync::Arc::make_mut(&mut open.borrow_mut().flight)
+        .camera
+        .focal *= focal;
+    let order = TrainOrder {
+        labelled: Some(labelled),
+        ..order()
+    };
+    let envelope = order.envelope();
+    let mut train = Train::new(order, envelope);
+    while train.read_labelled(&mut worker, &mut |_| {}).unwrap() {}
+    train.labelled
+}
+
+#[test]
+fn labelled_frames_are_turned_and_scaled_by_the_camera_that_the_mission_has_for_the_flight() {
+    let labelled = labelled(&order().landmark);
+    let seen = |photos: Vec<TrainingPhoto>| {
+        let all = photos.into_iter();
+        all.map(|photo| (photo.camera.focal, photo.around))
+            .collect::<Vec<_>>()
+    };
+    let right = seen(photos(labelled.clone(), 1.0));
+    assert_eq!(right.len(), 4);
+    let mission = Scenario::named("distinct-400ft-calm").unwrap().mission();
+    let by_mission = LabelledFrames {
+        camera: FlownCamera::of(&Mission {
+            camera: Some(Scenario::camera()),
+            ..mission
+        }),
+        ..labelled.clone()
+    };
+    assert_eq!(seen(photos(by_mission, 2.0)), right);
+    assert_ne!(seen(photos(labelled, 2.0)), right);
 }
 
 #[test]

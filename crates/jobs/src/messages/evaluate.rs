@@ -6,7 +6,7 @@ use pilotage_core::training::evaluation::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{AssessmentOrder, FlightSource};
+use super::{AssessmentOrder, FlightSource, FlownCamera};
 
 /// Photos that are taken where nobody states a number, and the days on which.
 const PHOTOS: (usize, usize) = (200, 20);
@@ -20,6 +20,8 @@ pub struct EvaluationOrder {
     pub about: AssessmentOrder,
     /// A recorded flight; its frames are looked at if the truth of it is known.
     pub flight: Option<FlightSource>,
+    /// Camera by which its frames are looked at.
+    pub camera: FlownCamera,
     /// Labels from which the detector may have learned: frames with labels of the landmark are not looked at, nor are those
     /// that show mostly the same ground.
     pub labels: Vec<FrameLabels>,
@@ -42,6 +44,7 @@ impl EvaluationOrder {
         Self {
             about,
             flight,
+            camera: FlownCamera::default(),
             labels: Vec::new(),
             photos: PHOTOS.0,
             days: PHOTOS.1,

@@ -8,7 +8,7 @@ use pilotage_core::navigator::SensorNoise;
 use pilotage_core::training::{StageReport, TrainingPhase, TrainingPlan};
 use serde::{Deserialize, Serialize};
 
-use super::{FlightSource, MapSource, whole_bytes};
+use super::{FlightSource, FlownCamera, MapSource, whole_bytes};
 
 /// Detector to be trained, and the flights for which it is trained.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -64,6 +64,8 @@ impl TrainOrder {
 pub struct LabelledFrames {
     /// The flight.
     pub flight: FlightSource,
+    /// Camera by which its frames are looked at.
+    pub camera: FlownCamera,
     /// The labels.
     pub labels: Vec<FrameLabels>,
 }

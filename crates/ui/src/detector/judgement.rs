@@ -3,7 +3,9 @@
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::FrameLabels;
 use pilotage_core::plan::Proposal;
-use pilotage_jobs::{EvaluationOrder, EvaluationReport, FlightSource, Job, JobEvent, JobId};
+use pilotage_jobs::{
+    EvaluationOrder, EvaluationReport, FlightSource, FlownCamera, Job, JobEvent, JobId,
+};
 use serde_json::Value;
 
 use super::evaluation::EvaluationView;
@@ -116,6 +118,7 @@ fn judging(landmark: &Landmark, documents: &Documents) -> Job {
     let tells = |l: &&FrameLabels| l.tells_of(landmark.id);
     let labels = documents.mission.labels.iter().filter(tells);
     let order = EvaluationOrder {
+        camera: FlownCamera::of(&documents.mission),
         labels: labels.cloned().collect(),
         ..EvaluationOrder::usual(about, flight)
     };

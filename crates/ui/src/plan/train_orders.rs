@@ -5,7 +5,7 @@ use pilotage_core::mission::{FrameLabels, Mission};
 
 use super::planner::Planner;
 use crate::documents::Documents;
-use pilotage_jobs::{FlightSource, LabelledFrames, TrainOrder};
+use pilotage_jobs::{FlightSource, FlownCamera, LabelledFrames, TrainOrder};
 
 /// Labels of frames of a flight that tell of a landmark.
 pub(super) fn labels_of<'a>(
@@ -26,6 +26,7 @@ fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames
     let is_open = documents.flight.source != FlightSource::Nothing;
     (is_open && !labels.is_empty()).then(|| LabelledFrames {
         flight: documents.flight.source.clone(),
+        camera: FlownCamera::of(&documents.mission),
         labels,
     })
 }

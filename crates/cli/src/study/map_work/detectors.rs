@@ -7,7 +7,7 @@ use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::{FrameLabels, write_mission};
 use pilotage_core::plan::Proposal;
 use pilotage_core::training::TrainingPlan;
-use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder};
+use pilotage_jobs::{FlownCamera, JobEvent, LabelledFrames, TrainOrder};
 use serde::{Deserialize, Serialize};
 
 use super::named_file::NamedFile;
@@ -51,6 +51,7 @@ impl TrainedDetectors {
             lent = lent.clone().with_flight(&folder);
             LabelledFrames {
                 flight: Lent::flight(),
+                camera: FlownCamera::of(&ground.mission),
                 labels: ground.mission.labels.clone(),
             }
         });
