@@ -7,6 +7,7 @@ use pilotage_core::flight::FrameSource as _;
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::distinctness;
+use pilotage_core::mission::FrameLabels;
 use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{DetectorTraining, FlightEnvelope, TrainingPhoto, labelled_photos};
 
@@ -94,6 +95,11 @@ impl Train {
         let flight = worker.flight(&frames.flight)?;
         let mut open = flight.borrow_mut();
         let (flight, pictures) = (frames.camera.flown(&open.flight), &mut open.frames);
+        // Of one picture the labels of this flight may stand beside some that name none.
+        let place = FrameLabels::place_among(&frames.labels, &flight.identity(), &labels.frame);
+        if place != Some(self.read - 1) {
+            return Ok(true);
+        }
         let labels = std::slice::from_ref(labels);
         let read = labelled_photos(&flight, labels, &order.landmark, |i| pictures.picture(i));
         self.labelled.extend(read.map_err(|why| why.to_string())?);

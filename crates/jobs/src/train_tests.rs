@@ -5,7 +5,7 @@ use std::cell::Cell;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::{GeoreferencedPicture, GroundFromPixel};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{FrameLabels, LabelBox, Mission};
+use pilotage_core::mission::{LabelBox, Mission};
 use pilotage_core::raster::Raster;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::training::{TrainingPhase, TrainingPlan};
@@ -271,6 +271,22 @@ fn labelled_frames_are_turned_and_scaled_by_the_camera_that_the_mission_has_for_
     };
     assert_eq!(seen(photos(by_mission, 2.0)), right);
     assert_ne!(seen(photos(labelled, 2.0)), right);
+}
+
+#[test]
+fn a_picture_that_is_labelled_for_this_flight_and_for_none_is_learned_once() {
+    let mut labelled = labelled(&order().landmark);
+    let mut worker = WorkerState::new(Abilities::WHOLE.opens);
+    let open = worker.flight(&labelled.flight).unwrap();
+    let flight = open.borrow().flight.identity();
+    let of_flight = |of: &FrameLabels| FrameLabels {
+        flight: flight.clone(),
+        ..of.clone()
+    };
+    let again: Vec<FrameLabels> = labelled.labels[1..].iter().map(of_flight).collect();
+    labelled.labels.extend(again);
+    assert_eq!(labelled.labels.len(), 7);
+    assert_eq!(photos(labelled, 1.0).len(), 4);
 }
 
 #[test]
