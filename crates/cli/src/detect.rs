@@ -11,6 +11,7 @@ use pilotage_core::raster::{Raster, decode_picture};
 use serde::Serialize;
 
 use crate::CommandResult;
+use crate::outcome::all_done;
 
 /// Share of a window's margin that better ones must leave it to be told with --soft.
 const LEFT: f64 = 0.3;
@@ -111,7 +112,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     };
     let mut answers = Vec::new();
     for image in &arguments.images {
-        let picture = gray(image)?;
+        let picture = match gray(image) {
+            Ok(picture) => picture,
+            Err(why) => {
+                eprintln!("{why}");
+                continue;
+            }
+        };
         let begun = Instant::now();
         let found = scan(&cascade, &picture, &settings);
         let seconds = begun.elapsed().as_secs_f64();
@@ -139,7 +146,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     } else {
         answers.iter().for_each(tell);
     }
-    Ok(())
+    all_done(answers.len(), arguments.images.len(), "pictures", "read")
 }
 
 impl DetectionBox {

@@ -9,6 +9,7 @@ use pilotage_jobs::{EvaluationOrder, EvaluationReport, FlownCamera, JobEvent, Ju
 
 use crate::CommandResult;
 use crate::files::write_whole;
+use crate::outcome::all_done;
 use crate::plan::{PlannedFlight, SourceArguments};
 use crate::replaying::flight_at;
 use crate::workers::{self, Lent};
@@ -98,7 +99,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let mut reports = vec![None; landmarks.len()];
     workers::run(orders, &lent, &mut |number, event| {
         match event {
-            JobEvent::Failed(why) => return Err(format!("landmark {why}")),
+            JobEvent::Failed(why) => eprintln!("{}: {why}", landmarks[number].name),
             JobEvent::Progress(_, words) if told.elapsed() >= TOLD_EVERY => {
                 eprintln!("{}: {words}", landmarks[number].name);
                 told = Instant::now();
@@ -130,7 +131,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(path) = &arguments.json {
         write_whole(path, serde_json::to_string_pretty(&all)?)?;
     }
-    Ok(())
+    all_done(all.len(), landmarks.len(), "detectors", "judged")
 }
 
 /// Those of the chosen landmarks for which a detector was trained.

@@ -18,6 +18,7 @@ use serde::Serialize;
 use crate::CommandResult;
 use crate::files::write_whole;
 use crate::notes::tell;
+use crate::outcome::all_done;
 use crate::plan::{PlannedFlight, SourceArguments};
 use crate::replaying::flight_at;
 use crate::workers::{self, Lent};
@@ -128,6 +129,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         seed: arguments.seed,
         ..usual
     };
+    if landmarks.is_empty() {
+        return Err("the mission has no landmark that is switched on".into());
+    }
     let rows = train(arguments, &mut ground, &landmarks, &plan, choice)?;
     if let Some(path) = &arguments.write_mission {
         write_whole(path, write_mission(&ground.mission))?;
@@ -135,10 +139,10 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(path) = &arguments.summary {
         write_whole(path, serde_json::to_vec_pretty(&rows)?)?;
     }
-    Ok(())
+    all_done(rows.len(), landmarks.len(), "landmarks", "trained")
 }
 
-/// Trains a detector for each of the landmarks, and keeps it with them.
+/// Trains a detector for each of the landmarks, and keeps it with them; of those that cannot be trained it tells why.
 fn train(
     arguments: &Arguments,
     ground: &mut PlannedFlight,
@@ -177,7 +181,10 @@ fn train(
     workers::run(orders, &lent, &mut |number, event| {
         let name = &landmarks[number].name;
         match event {
-            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Failed(why) => {
+                stages = 0;
+                eprintln!("{name}: {why}");
+            }
             JobEvent::Training(report) if report.stages.len() > stages => {
                 stages = report.stages.len();
                 eprintln!("{name}: stage {stages}");

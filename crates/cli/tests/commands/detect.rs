@@ -93,6 +93,18 @@ fn what_a_cascade_finds_is_told_as_opencv_finds_it() {
     let centre = best["centre"][0].as_f64().unwrap();
     assert!((centre - x - 0.5 * width).abs() < 0.25 * width, "{best}");
 
+    // One that is no picture takes nothing from the others.
+    let output = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+        .args(["detect", "--json", "--scale-step", &step, "--cascade"])
+        .args([&cascade, &folder.join("none.png"), &image])
+        .output()
+        .expect("the program starts");
+    assert!(error(&output).contains("none.png"));
+    assert!(error(&output).contains("1 of 2 pictures could not be read"));
+    let answers: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(answers.as_array().map(Vec::len), Some(1));
+    assert_eq!(answers[0]["detections"], groups["detections"]);
+
     // The same for people.
     let output = detect(&cascade, &image, &["--scale-step", &step]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
