@@ -10,7 +10,7 @@ use pilotage_core::text::csv_cell;
 use crate::CommandResult;
 use crate::export_parquet::parquet;
 use crate::export_track::{TrackKind, track};
-use crate::export_value::{ExportValue, value};
+use crate::export_value::{ExportValue, column_names, value};
 use crate::opening::{OpenedPath, no_flight, open};
 
 /// Arguments of `pilotage export`.
@@ -167,13 +167,14 @@ fn names(topics: &[&Topic]) -> String {
 }
 
 fn csv(topic: &Topic) -> String {
-    let head = topic.fields.iter().map(|field| {
+    let names = column_names(topic);
+    let head = topic.fields.iter().zip(names).map(|(field, name)| {
         let unit = if field.unit.is_empty() {
             String::new()
         } else {
             format!(" [{}]", field.unit)
         };
-        csv_cell(&format!("{}{unit}", field.name))
+        csv_cell(&format!("{name}{unit}"))
     });
     let mut text = format!("time_s,{}\n", head.collect::<Vec<_>>().join(","));
     for (time, row) in topic.times.iter().zip(topic.rows.iter()) {
@@ -198,7 +199,7 @@ fn json(topics: &[&Topic]) -> Result<String, serde_json::Error> {
     let of = |topic: &&Topic| {
         let mut fields = Map::new();
         fields.insert("time_s".to_owned(), topic.times.clone().into());
-        for field in &topic.fields {
+        for (field, name) in topic.fields.iter().zip(column_names(topic)) {
             let values = topic.rows.iter().map(|row| match value(field, row) {
                 Some(ExportValue::Whole(whole)) => i64::try_from(whole)
                     .map(Json::from)
@@ -208,7 +209,7 @@ fn json(topics: &[&Topic]) -> Result<String, serde_json::Error> {
                 Some(ExportValue::Text(words)) => Json::from(words),
                 None => Json::Null,
             });
-            fields.insert(field.name.clone(), values.collect());
+            fields.insert(name, values.collect());
         }
         (topic.name.to_string(), Json::Object(fields))
     };

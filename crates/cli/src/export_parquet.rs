@@ -12,7 +12,7 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 use pilotage_core::flight::log::{FieldLayout, Topic};
 
-use crate::export_value::{ExportValue, value};
+use crate::export_value::{ExportValue, column_names, value};
 
 /// Values of a field, `None` where a row has none.
 enum ParquetColumn {
@@ -130,12 +130,12 @@ pub fn parquet(topic: &Topic) -> Result<Vec<u8>, String> {
 
 fn write(topic: &Topic) -> Result<Vec<u8>, ParquetError> {
     let times = ParquetColumn::Real(topic.times.iter().copied().map(Some).collect());
-    let fields = topic
-        .fields
-        .iter()
-        .map(|field| (field.name.as_str(), ParquetColumn::of(topic, field)));
-    let columns: Vec<(&str, ParquetColumn)> =
-        std::iter::once(("time_s", times)).chain(fields).collect();
+    let names = column_names(topic);
+    let names = names.iter().map(String::as_str);
+    let fields = (topic.fields.iter()).map(|field| ParquetColumn::of(topic, field));
+    let columns: Vec<(&str, ParquetColumn)> = std::iter::once(("time_s", times))
+        .chain(names.clone().zip(fields))
+        .collect();
     let kinds = columns
         .iter()
         .map(|(name, column)| Ok(Arc::new(column.kind(name)?)));
@@ -143,9 +143,10 @@ fn write(topic: &Topic) -> Result<Vec<u8>, ParquetError> {
     let schema = Type::group_type_builder("topic")
         .with_fields(kinds)
         .build()?;
-    let units = topic.fields.iter().filter(|field| !field.unit.is_empty());
+    let units = topic.fields.iter().zip(names);
+    let units = units.filter(|(field, _)| !field.unit.is_empty());
     let units =
-        units.map(|field| KeyValue::new(format!("unit of {}", field.name), field.unit.clone()));
+        units.map(|(field, name)| KeyValue::new(format!("unit of {name}"), field.unit.clone()));
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_key_value_metadata(Some(units.collect()))

@@ -1,6 +1,8 @@
 //! A value of a log as it is exported.
 
-use pilotage_core::flight::log::{FieldLayout, ValueScale};
+use std::collections::BTreeSet;
+
+use pilotage_core::flight::log::{FieldLayout, Topic, ValueScale};
 
 /// A value of a row.
 pub enum ExportValue {
@@ -31,4 +33,18 @@ fn hex_digits(bytes: &[u8]) -> String {
     let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
     let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
     letters.collect()
+}
+
+/// Names of the columns of a topic behind `time_s`, none of which is that one's or another's: with a number behind those
+/// that would be.
+pub fn column_names(topic: &Topic) -> Vec<String> {
+    let mut taken = BTreeSet::from(["time_s".to_owned()]);
+    let distinct = |field: &FieldLayout| {
+        let name = &field.name;
+        let numbered = (2..).map(|number| format!("{name}-{number}"));
+        let mut possible = std::iter::once(name.clone()).chain(numbered);
+        let free = possible.find(|name| taken.insert(name.clone()));
+        free.unwrap_or_else(|| name.clone())
+    };
+    topic.fields.iter().map(distinct).collect()
 }

@@ -114,33 +114,63 @@ fn a_landmark_is_trained_and_evaluated_on_days_that_it_has_not_seen() {
 
 /// Of a landmark that fits into no picture it is told why; the detector of the other is there all the same.
 fn one_of_two_is_kept(folder: &Folder, name: &str) {
-    let mut mission = read_package(folder.text("m.geojson").as_bytes()).unwrap().mission;
+    let mut mission = read_package(folder.text("m.geojson").as_bytes())
+        .unwrap()
+        .mission;
     mission.landmarks.truncate(2);
     assert_eq!(mission.landmarks[0].name, name);
     let wide = &mut mission.landmarks[1];
     wide.reshape(wide.bounds.grown(700.0));
     let wide = wide.name.clone();
     std::fs::write(folder.0.join("two.geojson"), write_mission(&mission)).unwrap();
-    let few = ["--positives", "12", "--negatives", "100", "--held-out", "12", "--height", "122"];
+    let few = [
+        "--positives",
+        "12",
+        "--negatives",
+        "100",
+        "--held-out",
+        "12",
+        "--height",
+        "122",
+    ];
     let names = ["--landmark", name, "--landmark", &wide];
     let to = ["--write-mission", "kept.geojson", "--summary", "kept.json"];
     let source = ["train", "--mission", "two.geojson"];
     let output = folder.pilotage(&[&source, &few[..], &names, &to].concat());
     let said = words(&output);
     assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("1 of 2 landmarks could not be trained"), "{said}");
+    assert!(
+        said.contains("1 of 2 landmarks could not be trained"),
+        "{said}"
+    );
     assert!(said.contains("does not fit into a picture"), "{said}");
-    let kept = read_package(folder.text("kept.geojson").as_bytes()).unwrap().mission;
-    let trained = kept.landmarks.iter().map(pilotage_core::landmark::Landmark::is_trained);
+    let kept = read_package(folder.text("kept.geojson").as_bytes())
+        .unwrap()
+        .mission;
+    let trained = kept
+        .landmarks
+        .iter()
+        .map(pilotage_core::landmark::Landmark::is_trained);
     assert_eq!(trained.collect::<Vec<_>>(), [true, false]);
     let summary: serde_json::Value = serde_json::from_str(&folder.text("kept.json")).unwrap();
     assert_eq!(summary.as_array().map(Vec::len), Some(1));
     // From 10 m no picture holds it: it is told, and counted.
-    let low = ["evaluate", "--mission", "m.geojson", "--height", "10", "--json", "low.json"];
+    let low = [
+        "evaluate",
+        "--mission",
+        "m.geojson",
+        "--height",
+        "10",
+        "--json",
+        "low.json",
+    ];
     let output = folder.pilotage(&low);
     let said = words(&output);
     assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("1 of 1 detectors could not be judged"), "{said}");
+    assert!(
+        said.contains("1 of 1 detectors could not be judged"),
+        "{said}"
+    );
     assert_eq!(folder.text("low.json"), "[]");
 }
 

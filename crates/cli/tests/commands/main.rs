@@ -6,6 +6,7 @@ mod columns;
 mod compare;
 mod convert;
 mod detect;
+mod export;
 mod folder;
 mod georef;
 mod map;
