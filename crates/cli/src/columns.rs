@@ -74,7 +74,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             PathBuf::from(path)
         };
         crate::files::write_whole(&path, json)?;
-        println!("written to {}", path.display());
+        eprintln!("written to {}", path.display());
     }
     Ok(())
 }

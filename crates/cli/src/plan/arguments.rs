@@ -73,8 +73,7 @@ pub struct Arguments {
     /// figures.
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Write the mission, with the proposed landmarks instead of its own and the found route as its
-    /// first.
+    /// Write the mission, with the proposed landmarks beside its own and the found route as its first.
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Write the results as JSON.

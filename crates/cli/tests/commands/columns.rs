@@ -56,6 +56,14 @@ fn a_map_is_printed_saved_edited_and_used_again() {
         .unwrap();
     let beside = folder.run(&["columns", "a.csv"]).unwrap();
     assert!(beside.contains("course over ground       deg "), "{beside}");
+    // Where it was written is no part of the JSON.
+    let json = folder
+        .run(&["columns", "a.csv", "--json", "--save"])
+        .unwrap();
+    assert!(
+        serde_json::from_str::<serde_json::Value>(&json).is_ok(),
+        "{json}"
+    );
 }
 
 #[test]
