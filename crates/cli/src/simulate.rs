@@ -1,16 +1,17 @@
 //! `pilotage scenarios` and `pilotage simulate`.
 
 use std::cell::RefCell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 
-use pilotage_core::flight::files::FileSink;
+use pilotage_core::flight::files::{FileSet, FileSink};
 use pilotage_core::flight::write_flight;
-use pilotage_core::imagery::{Georeference, Imagery, Window, WorldFile};
-use pilotage_core::mission::{MapReference, place_files, write_mission};
+use pilotage_core::imagery::{ByteSource, Georeference, Imagery, Window, WorldFile};
+use pilotage_core::mission::{MapOptions, MapReference, place_files, write_mission};
 use pilotage_core::raster::encode_png;
 use pilotage_core::simulate::{Scenario, SimulationChoice, lay_out_world};
-use pilotage_jobs::{FlightSource, OpenFlight};
+use pilotage_jobs::{FlightSource, OpenFlight, map_among, mission_beside_flight};
 
 use crate::CommandResult;
 use crate::files::DirectoryFiles;
@@ -60,12 +61,30 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let choice = simulation(name)?;
         let options = options(choice.name, arguments.seed, arguments.day);
         let overrides = options.overrides();
-        let flown = worker.flight(&FlightSource::Simulated(options))?;
         let world = lay_out_world(choice.world.key());
         let world = world.ok_or("this program does not know that world")?;
         let missions = world.missions(choice.name, &overrides);
+        let written = missions.iter().flat_map(|(file, mission)| {
+            let map = match &mission.map {
+                Some(MapReference::Picture(name)) => Some(name.as_str()),
+                _ => None,
+            };
+            map.into_iter().chain([*file])
+        });
+        refuse_others(&arguments.out, &written.collect::<Vec<_>>())?;
+        let flown = worker.flight(&FlightSource::Simulated(options))?;
         (flown, Some((world, missions)))
     } else {
+        let own = [&arguments.own.map, &arguments.own.mission];
+        // What it is flown over and by may lie there.
+        let is_beside = |path: &PathBuf| {
+            let folder = path.parent().map(|folder| Path::new(".").join(folder));
+            let same = |a: &Path, b: &Path| Some(a.canonicalize().ok()? == b.canonicalize().ok()?);
+            folder.and_then(|folder| same(&folder, &arguments.out)) == Some(true)
+        };
+        if !own.into_iter().flatten().any(is_beside) {
+            refuse_others(&arguments.out, &[])?;
+        }
         let day = arguments.day.into();
         let flown = crate::own_map::fly(&arguments.own, arguments.seed, day)?;
         (Rc::new(RefCell::new(flown)), None)
@@ -100,6 +119,56 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         flight.frames.len()
     );
     Ok(())
+}
+
+/// Some files of a folder.
+struct SomeFiles<'a> {
+    folder: &'a DirectoryFiles,
+    names: Vec<String>,
+}
+
+impl FileSet for SomeFiles<'_> {
+    fn names(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        self.folder.read(name)
+    }
+
+    fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {
+        self.folder.source(name)
+    }
+}
+
+/// Refuses a folder with a map or mission beside those that are `written` anew: the flight would be replayed by them.
+fn refuse_others(out: &Path, written: &[&str]) -> CommandResult {
+    if !out.is_dir() {
+        return Ok(());
+    }
+    let folder = &DirectoryFiles::open(out)?;
+    let mut names = folder.names();
+    names.retain(|name| !written.contains(&name.as_str()));
+    let refuse = |name: &str| {
+        Err(format!(
+            "--out: \"{}\" holds {name}, by which this flight would be replayed; give another folder",
+            out.display()
+        )
+        .into())
+    };
+    for name in &names {
+        let alone = SomeFiles {
+            folder,
+            names: vec![name.clone()],
+        };
+        if mission_beside_flight(&alone)?.is_some() {
+            return refuse(name);
+        }
+    }
+    match map_among(&SomeFiles { folder, names }, &MapOptions::default())? {
+        Some((name, _)) => refuse(&name),
+        None => Ok(()),
+    }
 }
 
 /// Writes a map as a picture with its place.

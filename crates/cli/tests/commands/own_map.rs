@@ -79,6 +79,36 @@ fn look(path: &std::path::Path) -> usize {
 }
 
 #[test]
+fn a_folder_with_the_mission_of_another_flight_is_refused_and_one_with_its_own_is_not() {
+    let folder = Folder::with_map("others");
+    let route = format!("{};46.947383,7.689877", WEST[0]);
+    let words = ["--route", &route, "--height", "100", "--day", "same"];
+    assert!(folder.simulate(&words).status.success());
+    // The same once more is another flight of the same folder.
+    assert!(folder.simulate(&words).status.success());
+    folder.write("flown/hall.geojson", write_mission(&super::plan::mission()));
+    let done = folder.simulate(&words);
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert!(!done.status.success());
+    assert!(said.contains("holds hall.geojson"), "{said}");
+    std::fs::remove_file(folder.0.join("flown/hall.geojson")).expect("it was written");
+    for name in ["map.png", "map.pgw", "map.prj"] {
+        std::fs::copy(folder.0.join(name), folder.0.join("flown").join(name)).expect("a copy");
+    }
+    let done = folder.simulate(&words);
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert!(said.contains("holds map.png"), "{said}");
+    // Beside the map that it is flown over it may lie.
+    let beside = ["simulate", "--map", "flown/map.png", "--out", "flown"];
+    assert!(
+        folder
+            .call(&[&beside, &words[..]].concat())
+            .status
+            .success()
+    );
+}
+
+#[test]
 fn a_route_beside_the_map_is_refused() {
     let folder = Folder::with_map("beside");
     let done = folder.simulate(&["--route", "46.95,7.69;47.2,7.69"]);
