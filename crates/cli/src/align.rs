@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::notes::{tell, told};
+use crate::numbers::above_zero;
 use crate::replaying::{flight_at, fly};
 use crate::workers::{Lent, do_here};
 
@@ -35,7 +36,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 2)]
     rounds: usize,
     /// Standard deviation of the camera's clock against the log's, seconds; three of them are searched.
-    #[arg(long, default_value_t = 1.0)]
+    #[arg(long, default_value_t = 1.0, value_parser = above_zero)]
     clock: f64,
     /// Changes to the filter, e.g. frame-height=50,acceleration=3.
     #[arg(long, default_value = "")]

@@ -72,7 +72,7 @@ struct Places {
     #[arg(long)]
     weights: Option<PathBuf>,
     /// Generated countries.
-    #[arg(long, default_value_t = 6)]
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(1..))]
     countries: u64,
     /// Number of the first of them.
     #[arg(long, default_value_t = MEASURED)]
@@ -102,7 +102,7 @@ struct Judge {
     #[arg(long)]
     weights: Option<PathBuf>,
     /// Generated countries.
-    #[arg(long, default_value_t = 6)]
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(1..))]
     countries: u64,
     /// Tiles of each.
     #[arg(long, default_value_t = 8)]

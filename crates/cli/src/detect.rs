@@ -16,6 +16,9 @@ use crate::outcome::all_done;
 /// Share of a window's margin that better ones must leave it to be told with --soft.
 const LEFT: f64 = 0.3;
 
+/// Least ratio of two scales: windows of some hundred pixels are whole pixels larger with some ten of them.
+const LEAST_STEP: f64 = 1.001;
+
 /// Arguments of `pilotage detect`.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -94,6 +97,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let step = arguments.scale_step;
     if !(step > 1.0 && step.is_finite()) {
         return Err(format!("--scale-step: {step} is not over 1").into());
+    }
+    if step < LEAST_STEP {
+        return Err(format!("--scale-step: {step} is less than {LEAST_STEP}").into());
     }
     let settings = ScanSettings {
         scale_step: step,

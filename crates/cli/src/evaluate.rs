@@ -14,6 +14,8 @@ use crate::plan::{PlannedFlight, SourceArguments};
 use crate::replaying::flight_at;
 use crate::workers::{self, Lent};
 
+/// Most photos, and days on which they are taken: each is kept in memory.
+const MOST: i64 = 1_000_000;
 /// Time between two words on a judging.
 const TOLD_EVERY: Duration = Duration::from_secs(2);
 
@@ -31,10 +33,10 @@ pub struct Arguments {
     #[arg(long, value_name = "FLIGHT_FOLDER")]
     frames: Option<PathBuf>,
     /// Photos of each landmark; as many as in the page if not said.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(10..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(10..=MOST))]
     photos: Option<u32>,
     /// Days on which they are taken; as many as in the page if not said.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST))]
     days: Option<u32>,
     /// False alarms per photo at which detections are told; 0.01 if not said.
     #[arg(long, value_name = "RATE")]

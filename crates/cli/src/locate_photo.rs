@@ -17,13 +17,16 @@ use crate::CommandResult;
 use crate::files::{DiskFile, write_whole};
 use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
 use crate::notes::tell;
-use crate::numbers::numbers;
+use crate::numbers::{above_zero, numbers};
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.9;
 /// Standard deviation of roll and pitch, radians.
 const TILT: f64 = 0.035;
+
+/// Most pixels in which edges are sought: they are in memory at once.
+const MOST_PIXELS: f64 = 1e9;
 
 /// Arguments of `pilotage reference-map locate`.
 #[derive(clap::Args)]
@@ -54,7 +57,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DEGREES", default_value_t = 15.0)]
     heading_within: f64,
     /// Metres in a pixel in which edges are sought; those of the table if absent.
-    #[arg(long, value_name = "METRES")]
+    #[arg(long, value_name = "METRES", value_parser = above_zero)]
     gsd: Option<f64>,
 }
 
@@ -64,6 +67,16 @@ pub fn make_table(map: &Path, out: &Path, gsd: f64) -> CommandResult {
         map, frame, notes, ..
     } = open_map(map, None, MAP_CACHE)?;
     tell(&notes);
+    let bounds = map.bounds();
+    let pixels = bounds.width() / gsd * (bounds.height() / gsd);
+    if pixels > MOST_PIXELS {
+        return Err(format!(
+            "--gsd: {gsd} m makes {:.0} million pixels of the map; {:.0} million are the most",
+            1e-6 * pixels,
+            1e-6 * MOST_PIXELS
+        )
+        .into());
+    }
     let edges = edges_in_map(map.as_ref(), gsd, EDGES);
     let table = ReferenceTable::new(edges, vec![EDGE.to_owned()])
         .on_globe(frame.map(|frame| frame.origin))

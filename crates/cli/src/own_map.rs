@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::plan::cruise;
 use pilotage_core::simulate::{FlightDay, Scenario, Wind};
 use pilotage_jobs::{FlightSource, OpenFlight, PlannedPath, RehearsedFlight, fly_planned};
 
@@ -64,6 +65,13 @@ pub fn fly(
     planned.seed = seed;
     if let Some(text) = &own.wind {
         let [from, speed] = numbers(text, "--wind")?;
+        let airspeed = planned.path.airspeed.unwrap_or_else(cruise);
+        if !(0.0..airspeed).contains(&speed) {
+            return Err(format!(
+                "--wind: in {speed} m/s the aircraft, which flies {airspeed:.1} m/s, gets nowhere; give its speed as zero or more and below that"
+            )
+            .into());
+        }
         let from = from.to_radians();
         planned.path.wind = Wind { from, speed };
         planned.wind_deviation = 0.0;

@@ -5,7 +5,7 @@ use std::path::Path;
 use pilotage_core::flight::photo::PhotoSearch;
 
 use crate::files::DiskFile;
-use crate::numbers::lat_lon;
+use crate::numbers::{any_number, lat_lon};
 
 /// Facts that are known of photos better than they tell them.
 #[derive(clap::Args)]
@@ -17,10 +17,10 @@ pub struct KnownOfPhotos {
     #[arg(long, value_name = "METRES")]
     height: Option<f64>,
     /// Heading of the picture's top, degrees from north; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = any_number)]
     heading: Option<f64>,
     /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = any_number)]
     ahead: Option<f64>,
     /// Focal length in pixels of the picture; what the photo says if absent.
     #[arg(long, value_name = "PIXELS")]

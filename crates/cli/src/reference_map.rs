@@ -10,6 +10,7 @@ use pilotage_jobs::{JobEvent, ReferenceMapOrder};
 use crate::files::write_whole;
 use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
 use crate::notes::tell;
+use crate::numbers::above_zero;
 use crate::workers::{self, Lent};
 use crate::{CommandResult, locate_photo};
 
@@ -29,7 +30,7 @@ pub struct Arguments {
     #[arg(long)]
     edges: bool,
     /// Metres in a pixel in which edges are sought: less than half a metre for flights below 100 m.
-    #[arg(long, value_name = "METRES", default_value_t = EDGE_GSD, requires = "edges")]
+    #[arg(long, value_name = "METRES", default_value_t = EDGE_GSD, value_parser = above_zero, requires = "edges")]
     gsd: f64,
     /// File for the rows of DeAngelo 2016, chapter 3, as CSV: pixel x, pixel y, class (1 building, 2 field, 3 tree, 4 crossing,
     /// 5 water, 6 parking).

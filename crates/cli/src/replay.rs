@@ -13,6 +13,7 @@ use crate::CommandResult;
 use crate::export_track::{FlownWhere, write_estimate};
 use crate::mission_file::OpenMission;
 use crate::notes::{tell, told};
+use crate::numbers::above_zero;
 use crate::replay_frames::{print_frames, print_refusals};
 use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
 use crate::scenario::{DayChoice, ground_of, options, seed_range, simulation};
@@ -65,7 +66,7 @@ pub struct Arguments {
     vehicle: Option<u32>,
     /// Study GPS outages of that length all along the flight; of 60 s where there is no map and no run is asked for. Over
     /// a map also by what the pictures show.
-    #[arg(long, value_name = "SECONDS", conflicts_with = "seeds")]
+    #[arg(long, value_name = "SECONDS", value_parser = above_zero, conflicts_with = "seeds")]
     outage: Option<f64>,
     /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind,gps-velocity=true,gps-velocity.noise=0.4.
     #[arg(long, default_value = "")]

@@ -18,6 +18,7 @@ use serde::Serialize;
 use crate::CommandResult;
 use crate::files::write_whole;
 use crate::notes::tell;
+use crate::numbers::{below_right_angle, count, zero_or_more};
 use crate::outcome::all_done;
 use crate::plan::{PlannedFlight, SourceArguments};
 use crate::replaying::flight_at;
@@ -36,23 +37,23 @@ pub struct Arguments {
     #[arg(long, default_value = "hog")]
     features: String,
     /// Photos that each learns from.
-    #[arg(long, default_value_t = TrainingPlan::default().photos)]
+    #[arg(long, default_value_t = TrainingPlan::default().photos, value_parser = count)]
     positives: usize,
     /// Windows of something else that each stage learns from.
-    #[arg(long, default_value_t = TrainingPlan::default().negatives)]
+    #[arg(long, default_value_t = TrainingPlan::default().negatives, value_parser = count)]
     negatives: usize,
     /// Photos on other days that each is judged by; 100, or as many as it learns from if those are fewer, if not said.
     #[arg(long)]
     held_out: Option<usize>,
     /// Greatest error of the heading on either side, degrees; 5 or what the mission's sensors make of it
     /// if not said.
-    #[arg(long)]
+    #[arg(long, value_parser = zero_or_more)]
     heading_error: Option<f64>,
     /// Show the pictures as they are, neither rectified nor turned, to compare with.
     #[arg(long)]
     plain: bool,
     /// Greatest bank or pitch angle, degrees; 15 if not said.
-    #[arg(long)]
+    #[arg(long, value_parser = below_right_angle)]
     tilt: Option<f64>,
     /// Detector that the mission shall use for them: template, cascade or both.
     #[arg(long, default_value = "cascade")]

@@ -7,6 +7,7 @@ use pilotage_core::plan::{Aim, BudgetOf, Proposal};
 use pilotage_jobs::{FindOrder, FixesFrom, PredictionOrder, RouteWishes};
 
 use super::source::SourceArguments;
+use crate::numbers::{above_zero, count, one_or_more, zero_or_more};
 
 /// Measurements beside those that a prediction needs.
 #[derive(Args)]
@@ -25,18 +26,18 @@ pub struct Arguments {
     #[command(flatten)]
     pub source: SourceArguments,
     /// Propose that many landmarks from the map, beside those that the mission has.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = count)]
     pub suggest: Option<usize>,
     /// Propose from the map alone: the landmarks that the mission has are left out.
     #[arg(long, requires = "suggest")]
     pub only_suggested: bool,
     /// Side of the proposed boxes, metres; a third of the picture's shorter side on the ground if
     /// it is not stated.
-    #[arg(long)]
+    #[arg(long, value_parser = above_zero)]
     pub side: Option<f64>,
     /// Standard deviation of the position per axis, metres, when proposed landmarks are looked for:
     /// how far around them look-alikes count.
-    #[arg(long, default_value_t = Proposal::POSITION)]
+    #[arg(long, default_value_t = Proposal::POSITION, value_parser = zero_or_more)]
     pub position: f64,
     /// Predict the uncertainty along the route.
     #[arg(long)]
@@ -59,7 +60,7 @@ pub struct Arguments {
     pub as_stated: bool,
     /// Fly about that many passes over places of every quality on days that were not rehearsed, and
     /// compare how often they are found with what was said.
-    #[arg(long, requires = "scenario", value_name = "PASSES")]
+    #[arg(long, requires = "scenario", value_name = "PASSES", value_parser = count)]
     pub calibrate: Option<usize>,
     /// File for the reliability diagram, SVG.
     #[arg(long, requires = "calibrate")]
@@ -67,7 +68,7 @@ pub struct Arguments {
     #[command(flatten)]
     pub measure: MeasureArguments,
     /// Standard deviation of the position (longer axis) that is accepted, metres.
-    #[arg(long, default_value_t = PredictionOrder::LIMIT)]
+    #[arg(long, default_value_t = PredictionOrder::LIMIT, value_parser = above_zero)]
     pub limit: f64,
     /// Seed of rehearsal days and worlds, in place of those that everybody takes, so that the same plan has the same
     /// figures.
@@ -119,7 +120,7 @@ pub struct FindArguments {
     #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
     pub find: Option<Vec<String>>,
     /// Greatest cost of the found route over that of the shortest.
-    #[arg(long, default_value_t = FindOrder::BUDGET)]
+    #[arg(long, default_value_t = FindOrder::BUDGET, value_parser = one_or_more)]
     pub budget: f64,
     /// Kind of cost that the budget is about.
     #[arg(long, default_value = "time")]
@@ -131,10 +132,10 @@ pub struct FindArguments {
     #[arg(long, default_value = "landmarks")]
     pub over: Over,
     /// Distance that is kept from the no-fly areas of the mission, metres.
-    #[arg(long, default_value_t = FindOrder::CLEARANCE)]
+    #[arg(long, default_value_t = FindOrder::CLEARANCE, value_parser = zero_or_more)]
     pub clearance: f64,
     /// Height that a found route keeps above the ground of the elevation model, metres.
-    #[arg(long, default_value_t = FindOrder::GROUND_CLEARANCE)]
+    #[arg(long, default_value_t = FindOrder::GROUND_CLEARANCE, value_parser = zero_or_more)]
     pub ground_clearance: f64,
 }
 

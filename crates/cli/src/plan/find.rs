@@ -72,7 +72,7 @@ fn order(
     ends: &[String],
 ) -> Result<FindOrder, Box<dyn std::error::Error>> {
     let wishes = arguments.find.wishes();
-    let ends = way_points(&ends.join(";"))?;
+    let ends = way_points(&ends.join(";"), "--find")?;
     let &[from, to] = &ends[..] else {
         return Err("--find takes two places, NORTH,EAST each".into());
     };

@@ -7,6 +7,7 @@ use pilotage_core::simulate::Wind;
 use super::arguments::Arguments;
 use super::planned_flight::PlannedFlight;
 use crate::notes::tell;
+use crate::numbers::numbers;
 
 /// Opens the ground that the arguments of a plan name.
 pub fn ground_of(arguments: &Arguments) -> Result<PlannedFlight, Box<dyn std::error::Error>> {
@@ -18,7 +19,7 @@ pub fn ground_of(arguments: &Arguments) -> Result<PlannedFlight, Box<dyn std::er
         .filter(|_| arguments.source.scenario.is_some())
     {
         if let Some(text) = &arguments.route {
-            plan.path.way_points = way_points(text)?;
+            plan.path.way_points = way_points(text, "--route")?;
         }
         if let Some(seed) = arguments.random_route {
             plan.path.way_points = random_route(seed);
@@ -28,14 +29,12 @@ pub fn ground_of(arguments: &Arguments) -> Result<PlannedFlight, Box<dyn std::er
     Ok(ground)
 }
 
-/// Way-points as `--route` states them.
-pub fn way_points(text: &str) -> Result<Vec<GroundPoint>, String> {
-    text.split(';')
-        .map(|pair| {
-            let (north, east) = pair.split_once(',')?;
-            let number = |t: &str| t.trim().parse().ok();
-            Some(GroundPoint::new(number(north)?, number(east)?))
-        })
-        .collect::<Option<_>>()
-        .ok_or_else(|| format!("--route: \"{text}\" is not NORTH,EAST;NORTH,EAST;…"))
+/// Way-points as an option states them.
+pub fn way_points(text: &str, option: &str) -> Result<Vec<GroundPoint>, String> {
+    let place = |pair: &str| {
+        let [north, east] = numbers(pair, option)?;
+        Ok(GroundPoint::new(north, east))
+    };
+    let places: Result<_, String> = text.split(';').map(place).collect();
+    places.map_err(|_| format!("{option}: \"{text}\" is not NORTH,EAST;NORTH,EAST;…"))
 }

@@ -17,7 +17,7 @@ use super::source::{RoadSource, class};
 use pilotage_jobs::decode_photo;
 
 use crate::CommandResult;
-use crate::numbers::numbers;
+use crate::numbers::{above_zero, any_number, numbers, zero_or_more};
 use crate::plan::above_ground;
 
 /// Probability from which on a place is believed.
@@ -52,24 +52,25 @@ pub struct Arguments {
     #[arg(long, value_name = "METRES")]
     height: Option<f64>,
     /// Focal length in pixels of the photo; what the photo says if absent.
-    #[arg(long, value_name = "PIXELS")]
+    #[arg(long, value_name = "PIXELS", value_parser = above_zero)]
     focal: Option<f64>,
     /// Range of the height, percent.
-    #[arg(long, value_name = "PERCENT", default_value_t = 4.0)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 4.0, value_parser = zero_or_more)]
     height_within: f64,
     /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = any_number)]
     ahead: Option<f64>,
     /// Believed heading of the first view's top, degrees from north.
     #[arg(
         long,
         value_name = "DEGREES",
         default_value_t = 0.0,
+        value_parser = any_number,
         allow_hyphen_values = true
     )]
     heading: f64,
     /// Range of the heading to each side; 180 where it is unknown.
-    #[arg(long, value_name = "DEGREES", default_value_t = 180.0)]
+    #[arg(long, value_name = "DEGREES", default_value_t = 180.0, value_parser = zero_or_more)]
     heading_within: f64,
     /// The least class of road that the map is searched for: path, track, service, residential, tertiary, …
     #[arg(long, default_value = "service")]

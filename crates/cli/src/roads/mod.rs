@@ -15,6 +15,7 @@ use pilotage_core::roads::{AplsGraph, AplsSettings, RoadClass, RoadLine, apls, w
 use crate::CommandResult;
 use crate::files::write_whole;
 use crate::notes::tell;
+use crate::numbers::{above_zero, zero_or_more};
 use pilotage_jobs::roads_in_world;
 use source::{RoadSource, class};
 
@@ -61,10 +62,10 @@ enum Task {
         /// The map that is judged.
         proposal: String,
         /// Greatest distance at which a point is put on the other map, metres.
-        #[arg(long, default_value_t = 4.0)]
+        #[arg(long, default_value_t = 4.0, value_parser = zero_or_more)]
         snap: f64,
         /// Distance between the points that are compared, metres.
-        #[arg(long, default_value_t = 50.0)]
+        #[arg(long, default_value_t = 50.0, value_parser = above_zero)]
         spacing: f64,
     },
     /// Fly a scenario by roads, and say how far across and along them the estimate is off.

@@ -11,6 +11,7 @@ mod folder;
 mod georef;
 mod map;
 mod map_work;
+mod numbers;
 mod own_map;
 mod plan;
 mod reference_map;
