@@ -2,7 +2,11 @@
 
 use std::sync::Arc;
 
+use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
+use pilotage_core::mission::Mission;
+use pilotage_core::text::by_count;
+use pilotage_core::training::evaluation::HeldOutFrames;
 
 use crate::maps::MapOnDisk;
 
@@ -13,8 +17,68 @@ pub fn tell(notes: &[String]) {
     }
 }
 
+/// Sentences on the trained detectors of a mission that may have learned from pictures of a flight: on those they do better
+/// than elsewhere.
+pub fn learned_from(mission: &Mission, flight: &Flight) -> Vec<String> {
+    let used = mission.landmarks.iter();
+    let used = used.filter(|it| it.enabled && it.is_trained() && it.detector_in_use().is_some());
+    let learned = used.filter_map(|landmark| {
+        let count = HeldOutFrames::of(flight, &mission.labels, landmark.id).learned;
+        let pictures = by_count(count, "picture", "pictures");
+        (count > 0).then(|| {
+            format!(
+                "the detector of \"{}\" may have learned from {count} labelled {pictures} of this very flight: on others it may find less",
+                landmark.name
+            )
+        })
+    });
+    learned.collect()
+}
+
 /// The map, once its notes are told.
 pub fn told(opened: MapOnDisk) -> Arc<dyn Imagery> {
     tell(&opened.notes);
     opened.map
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::landmark::DetectorChoice;
+    use pilotage_core::mission::FrameLabels;
+    use pilotage_core::simulate::Scenario;
+
+    use super::*;
+    use crate::scenario::{DayChoice, options};
+    use crate::workers::Lent;
+    use pilotage_jobs::FlightSource;
+
+    #[test]
+    fn a_flight_that_its_mission_has_labelled_is_told_where_the_detector_was_trained() {
+        let name = "distinct-400ft-calm";
+        let source = FlightSource::Simulated(options(name, 1, DayChoice::Other));
+        let open = Lent::default().worker().flight(&source).expect("a flight");
+        let flight = Flight::clone(&open.borrow().flight);
+        let mut mission = Scenario::named(name).expect("a scenario").mission();
+        let first = mission.landmarks[0].id;
+        mission.labels = vec![FrameLabels {
+            frame: flight.frames[0].name.clone(),
+            size: (640, 480),
+            absent: vec![first],
+            ..FrameLabels::default()
+        }];
+        assert!(
+            learned_from(&mission, &flight).is_empty(),
+            "none is trained"
+        );
+        let landmark = &mut mission.landmarks[0];
+        let trained = serde_json::json!({"bounds": landmark.bounds});
+        landmark.keep_trained_text(Some(&trained.to_string()));
+        landmark.choose_detector(DetectorChoice::Cascade);
+        let told = learned_from(&mission, &flight);
+        assert_eq!(told.len(), 1);
+        assert!(
+            told[0].contains("from 1 labelled picture of this very flight"),
+            "{told:?}"
+        );
+    }
 }

@@ -12,7 +12,7 @@ use serde::Serialize;
 use crate::CommandResult;
 use crate::export_track::{FlownWhere, write_estimate};
 use crate::mission_file::OpenMission;
-use crate::notes::{tell, told};
+use crate::notes::{learned_from, tell, told};
 use crate::numbers::above_zero;
 use crate::replay_frames::{print_frames, print_refusals};
 use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
@@ -126,6 +126,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(why) = over.why {
         eprintln!("note: {why}");
     }
+    tell(&learned_from(&over.mission, &over.flight));
     let run = over.navigate()?;
     let summary = summarize(&over.flight, &run, None);
     let at = FlownWhere {

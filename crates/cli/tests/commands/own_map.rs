@@ -11,7 +11,7 @@ use super::folder::Folder;
 
 impl Folder {
     /// A folder with a map of 1.2 km by 1.2 km: red in its west, green in its east.
-    fn with_map(name: &str) -> Self {
+    pub fn with_map(name: &str) -> Self {
         let folder = Self::new(&format!("own-map-{name}"));
         let map = Picture::from_fn(600, 600, |x, y| {
             let grain = ((x * 7 + y * 13) % 40) as u8;
