@@ -127,8 +127,10 @@ fn contest(
     workers::run(orders, lent, &mut |number, event| {
         let seed = seeds[number];
         match event {
-            JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
-            JobEvent::Remark(why) => eprintln!("seed {seed}, {why}"),
+            JobEvent::Failed(why) if seeds.len() > 1 => return Err(format!("seed {seed}: {why}")),
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Remark(why) if seeds.len() > 1 => eprintln!("seed {seed}, {why}"),
+            JobEvent::Remark(why) => eprintln!("{why}"),
             JobEvent::Figures(_) => {
                 let of_flight: Vec<ContenderTally> = event.read_figures()?;
                 if tallies.is_empty() {

@@ -65,7 +65,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     crate::notes::tell(&ground.notes);
     let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
     let folder = match &arguments.frames {
-        Some(path) => Some(flight_at(path, None, None)?.open),
+        Some(path) => {
+            let flight = flight_at(path, None, None)?;
+            crate::notes::tell(&flight.notes);
+            Some(flight.open)
+        }
         None => None,
     };
     if let Some(folder) = folder.as_ref().filter(|f| f.flight.truth.is_none()) {

@@ -444,7 +444,11 @@ fn tile(
                 (column + width, row + height),
             ];
             let ground = |(x, y)| placement.ground_at(&Point2::new(x, y));
-            GroundRect::around(corners.map(ground)).unwrap_or(map.bounds())
+            let rect = GroundRect::around(corners.map(ground)).unwrap_or(map.bounds());
+            if !rect.overlaps(&map.bounds()) {
+                return Err(format!("--window: {text} is not on the map").into());
+            }
+            rect
         }
     };
     let usual = map.native_gsd().max(rect.width() / 2048.0);

@@ -21,7 +21,7 @@ use crate::notes::tell;
 use crate::numbers::{below_right_angle, count, zero_or_more};
 use crate::outcome::all_done;
 use crate::plan::{PlannedFlight, SourceArguments};
-use crate::replaying::flight_at;
+use crate::replaying::{FlightOnDisk, flight_at};
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage train`.
@@ -246,7 +246,8 @@ pub fn labelled_flight(
     let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
         return Ok(None);
     };
-    let open = flight_at(path, None, None)?.open;
+    let FlightOnDisk { open, notes, .. } = flight_at(path, None, None)?;
+    tell(&notes);
     tell(&ground.mission.told_of_labels(&open.flight.identity()));
     Ok(Some(open))
 }

@@ -86,6 +86,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         } => import(source, mission, class(least)?, *replace)?,
         Task::Export { source, out } => {
             let source = RoadSource::open(source)?;
+            tell(&source.notes());
             write_whole(out, write_roads(&source.lines(None), &source.frame()?))?;
         }
         Task::Apls {
@@ -95,6 +96,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             spacing,
         } => {
             let (truth, proposal) = (RoadSource::open(truth)?, RoadSource::open(proposal)?);
+            [&truth, &proposal].iter().for_each(|it| tell(&it.notes()));
             let frame = truth.frame()?;
             let first = AplsGraph::of(&truth.map(Some(&frame)), 0);
             let after = first.nodes.len() as u64;

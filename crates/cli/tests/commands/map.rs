@@ -155,6 +155,20 @@ fn a_tile_cut_out_of_a_picture_has_its_pixels() {
     for (x, y) in [(0, 0), (15, 0), (0, 11), (15, 11), (7, 5)] {
         assert_eq!(part.get(x, y), shade(8 + x, 6 + y), "{x}, {y}");
     }
+    let beside = [
+        "map",
+        "tile",
+        "area.png",
+        "--window",
+        "900,900,16,12",
+        "--out",
+        "no.png",
+    ];
+    let why = folder.run(&beside).expect_err("there is no map there");
+    assert!(
+        why.contains("--window: 900,900,16,12 is not on the map"),
+        "{why}"
+    );
     // Twice as coarse: a quarter of the pixels, each the mean of four.
     folder.map(&["tile", "area.png", "--gsd", "1", "--out", "coarse.png"]);
     let coarse = std::fs::read(folder.0.join("coarse.png")).expect("the picture");
