@@ -23,8 +23,8 @@ pub(super) struct Judgement {
     /// Job under way, its progress, 0 to 1, and its words.
     pub job: Option<(JobId, f32, String)>,
     pub report: Option<EvaluationReport>,
-    /// Text of the trained detector that was judged.
-    of: Option<String>,
+    /// Order of what was judged, and of what it was judged by.
+    of: Option<Box<EvaluationOrder>>,
     pub trouble: Option<String>,
     pub view: EvaluationView,
 }
@@ -43,15 +43,15 @@ impl Judgement {
             return context.note("No detector to evaluate", text);
         };
         self.is_open = true;
-        let of = landmark.trained_text().map(str::to_owned);
-        let is_known = self.landmark == Some(landmark.id) && self.of == of;
+        let of = judging(&landmark, context.documents);
+        let is_known = self.of.as_ref() == Some(&of);
         if is_known && (self.job.is_some() || self.is_whole()) {
             return;
         }
         self.stop(context);
-        (self.landmark, self.of) = (Some(landmark.id), of);
+        (self.landmark, self.of) = (Some(landmark.id), Some(of.clone()));
         (self.report, self.trouble) = (None, None);
-        let job = context.start(judging(&landmark, context.documents));
+        let job = context.start(Job::Evaluate(of));
         self.job = Some((job, 0.0, "Starting …".to_owned()));
     }
 
@@ -109,18 +109,17 @@ impl Judgement {
     }
 }
 
-/// Job that judges the detector of a landmark: on generated days and, where the flight was recorded, on its pictures.
-fn judging(landmark: &Landmark, documents: &Documents) -> Job {
+/// Order to judge the detector of a landmark: on generated days and, where the flight was recorded, on its pictures.
+fn judging(landmark: &Landmark, documents: &Documents) -> Box<EvaluationOrder> {
     let with = flown::planned_with(documents, Proposal::POSITION);
     let about = with.assessment(landmark);
     let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
     let flight = is_recorded.then(|| documents.flight.source.clone());
     let tells = |l: &&FrameLabels| l.tells_of(landmark.id);
     let labels = documents.mission.labels.iter().filter(tells);
-    let order = EvaluationOrder {
+    Box::new(EvaluationOrder {
         camera: FlownCamera::of(&documents.mission),
         labels: labels.cloned().collect(),
         ..EvaluationOrder::usual(about, flight)
-    };
-    Job::Evaluate(Box::new(order))
+    })
 }

@@ -5,6 +5,7 @@ use pilotage_jobs::{
 };
 use pilotage_ui::host::OpenedFile;
 
+use super::plan::set;
 use super::support::flight::mission;
 use super::support::{Rig, rig};
 
@@ -145,6 +146,18 @@ fn a_detector_is_evaluated_once_and_what_came_of_it_goes_with_the_flight() {
     rig.frames(2);
     assert_eq!(rig.state()["detector"]["evaluation"]["open"], false);
     assert_eq!(evaluate(&mut rig), [job], "it is known");
+    rig.key(Key::Escape);
+    rig.frames(2);
+    // With another tilt of the camera it is not.
+    rig.open_tab("Plan");
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    set(&mut rig, "Camera tilt σ", 3.0);
+    assert_eq!(rig.state()["detector"]["evaluation"]["whole"], true);
+    rig.key(Key::Escape);
+    rig.frames(2);
+    assert_eq!(evaluate(&mut rig).len(), 2, "it is judged anew");
+    assert_eq!(rig.state()["detector"]["evaluation"]["whole"], false);
     rig.key(Key::Escape);
     rig.frames(2);
     rig.key_with(Modifiers::COMMAND, Key::K);
