@@ -99,7 +99,12 @@ impl Feature for Outages {
             }
             OutageCommand::Clear => {
                 self.stop(context);
-                *self = Self::default();
+                // Outages all along the flight are none of the cut.
+                let study = self.study.take();
+                *self = Self {
+                    study,
+                    ..Self::default()
+                };
             }
             OutageCommand::Selected => self.begin_selected(context),
             OutageCommand::Of(from, to) => self.begin(context, Outage::Stretch(from, to)),

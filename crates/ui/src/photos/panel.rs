@@ -86,14 +86,33 @@ fn summary(photos: &PhotosState) -> String {
     let words = match (known, photos.searched) {
         (_, None) => counted(all, "photo", "photos"),
         (known, _) if known == all => format!("{laid} of {all} laid"),
-        _ => format!(
-            "{laid} laid, {} refused, {} to come",
-            known - laid,
-            all - known
-        ),
+        _ => {
+            let left = match photos.at_work {
+                Some(_) => "to come",
+                None => "not laid",
+            };
+            let (refused, others) = (known - laid, all - known);
+            format!("{laid} laid, {refused} refused, {others} {left}")
+        }
     };
     match photos.mean_seconds() {
         Some(seconds) => format!("{words} · {seconds:.1} s each"),
         None => words,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn photos_that_were_not_laid_before_it_was_stopped_are_not_to_come() {
+        let mut photos = PhotosState::default();
+        photos.reports.resize(2, None);
+        photos.searched = Some(photos.search);
+        photos.at_work = Some((0.5, "Laying photos".to_owned()));
+        assert_eq!(summary(&photos), "0 laid, 0 refused, 2 to come");
+        photos.at_work = None;
+        assert_eq!(summary(&photos), "0 laid, 0 refused, 2 not laid");
     }
 }

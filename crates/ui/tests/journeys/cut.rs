@@ -144,6 +144,13 @@ fn the_heads_of_the_table_of_outages_have_room() {
         .click();
     rig.settle();
     rig.harness.get_by_label("median 90 % inside");
+    // A cut that is let go of leaves them.
+    rig.harness.get_by_label("Cut 30 s from here").click();
+    rig.settle();
+    rig.harness.get_by_label("Clear").click();
+    rig.frames(3);
+    assert!(rig.state()["outage"]["span"].is_null());
+    rig.harness.get_by_label("median 90 % inside");
 }
 
 #[test]
