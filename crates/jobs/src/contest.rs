@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
-use pilotage_core::navigator::{KnownGround, Navigator};
+use pilotage_core::mission::Mission;
+use pilotage_core::plan::StatedFrames;
 use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
 
 use super::flights::OpenFlight;
@@ -23,13 +24,15 @@ pub struct Contest {
     order: ContestOrder,
     judged: Judged,
     ground: Option<ContestGround>,
-    flying: Option<Passage>,
+    /// The contender under way, with frames of its own where it is stated how landmarks are found.
+    flying: Option<(Passage, Option<StatedFrames>)>,
     tallies: Vec<ContenderTally>,
 }
 
 /// Flight and map that all contenders share.
 struct ContestGround {
     open: Rc<RefCell<OpenFlight>>,
+    mission: Mission,
     flight: Arc<Flight>,
     map: Arc<dyn Imagery>,
 }
@@ -57,22 +60,26 @@ impl Contest {
         contender: Contender,
         clock: &dyn Fn() -> f64,
     ) -> Result<bool, String> {
-        let passage = match &mut self.flying {
-            Some(passage) => passage,
+        let frames = &mut ground.open.borrow_mut().frames;
+        let (passage, stated) = match &mut self.flying {
+            Some(flying) => flying,
             empty => {
-                let mission = &self.order.mission;
+                let mission = &ground.mission;
                 let settings = contender.settings(&mission.navigator, self.order.seed);
-                let (flight, map) = (ground.flight.clone(), ground.map.clone());
-                let navigator = Navigator::new(flight, &KnownGround::of(mission, map), &settings);
-                let navigator = navigator.map_err(|cause| cause.to_string())?;
-                empty.insert(Passage::new(navigator.sparing()))
+                let map = Arc::clone(&ground.map);
+                let (navigator, stated) =
+                    frames.navigator(&ground.flight, mission, map, &settings)?;
+                empty.insert((Passage::new(navigator.sparing()), stated))
             }
         };
-        passage.advance(&mut ground.open.borrow_mut().frames, clock)
+        match stated {
+            Some(stated) => passage.advance(stated, clock),
+            None => passage.advance(frames, clock),
+        }
     }
 
     fn progress(&self, contender: Contender) -> JobEvent {
-        let flown = self.flying.as_ref().map_or(0.0, Passage::progress);
+        let flown = self.flying.as_ref().map_or(0.0, |(it, _)| it.progress());
         let share = (self.tallies.len() as f32 + flown) / self.order.contenders.len() as f32;
         JobEvent::Progress(share, contender.estimator.label().to_owned())
     }
@@ -88,8 +95,16 @@ impl RunningJob for Contest {
         let Some(ground) = self.ground.take() else {
             let map = worker.map(&self.order.map)?;
             let open = worker.flight(&self.order.flight)?;
-            let flight = self.order.mission.flown(&open.borrow().flight);
-            self.ground = Some(ContestGround { open, flight, map });
+            let own = open.borrow().mission.clone();
+            let own = own.filter(|_| self.order.flight.has_own_mission());
+            let mission = own.unwrap_or_else(|| self.order.mission.clone());
+            let flight = mission.flown(&open.borrow().flight);
+            self.ground = Some(ContestGround {
+                open,
+                mission,
+                flight,
+                map,
+            });
             return Ok(Advance::More);
         };
         let Some(contender) = self.contender() else {
@@ -105,7 +120,7 @@ impl RunningJob for Contest {
             let flown = self.flying.take();
             match outcome {
                 Ok(_) => {
-                    if let Some(passage) = flown {
+                    if let Some((passage, _)) = flown {
                         let tallied = tally.add(&ground.flight, &passage.into_run(), clock);
                         tallied.map_err(|cause| cause.to_string())?;
                     }

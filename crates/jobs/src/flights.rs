@@ -6,7 +6,10 @@ use std::sync::Arc;
 use pilotage_core::flight::{
     Flight, FlightFolder, FrameError, FrameSource, NoPictures, SharedFrames,
 };
+use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings};
+use pilotage_core::plan::StatedFrames;
 use pilotage_core::raster::{Picture, decode_picture};
 use pilotage_study::StatedNavigation;
 
@@ -83,6 +86,27 @@ impl KeptFrames {
     /// Statement of how landmarks are found, where that is stated in the place of pictures.
     pub fn statement(&self) -> Option<&StatedNavigation> {
         self.stated.as_ref()
+    }
+
+    /// The navigator at the start of the flight as it is `flown`, by a mission with other settings than its own; with
+    /// frames of its own where it is stated how landmarks are found.
+    ///
+    /// # Errors
+    /// Why the flight cannot be navigated, in words.
+    pub fn navigator(
+        &self,
+        flown: &Arc<Flight>,
+        mission: &Mission,
+        map: Arc<dyn Imagery>,
+        settings: &NavigatorSettings,
+    ) -> Result<(Navigator, Option<StatedFrames>), String> {
+        if let Some(stated) = &self.stated {
+            let (navigator, frames) = stated.begin(flown, &mission.landmarks, settings)?;
+            return Ok((navigator, Some(frames)));
+        }
+        let ground = KnownGround::of(mission, map);
+        let navigator = Navigator::new(Arc::clone(flown), &ground, settings);
+        Ok((navigator.map_err(|cause| cause.to_string())?, None))
     }
 
     /// A picture that was rendered before, encoded.

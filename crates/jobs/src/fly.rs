@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use pilotage_core::flight::FrameSource;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{KnownGround, Navigator, StepReport};
+use pilotage_core::navigator::{Navigator, StepReport};
 use pilotage_core::plan::StatedFrames;
 
 use serde::{Deserialize, Serialize};
@@ -66,10 +66,10 @@ impl Fly {
             (open.flight.clone(), open.mission.clone())
         };
         let is_given = self.mission.is_some();
-        // A study flew its own copy of a mission, and its flight is to be the same to the bit.
-        let is_own =
-            matches!(&self.flight, FlightSource::Studied(it) if it.flight.mission.is_some());
-        let given = self.mission.take().filter(|_| !is_own);
+        let given = self
+            .mission
+            .take()
+            .filter(|_| !self.flight.has_own_mission());
         let (mission, why) = if let Some(mission) = given.or(own_mission) {
             (mission, None)
         } else {
@@ -77,15 +77,8 @@ impl Fly {
             (mission, Some(why))
         };
         let flown = mission.flown(&flight);
-        let navigator = if let Some(stated) = open.borrow().frames.statement() {
-            let begun = stated.begin(&flown, &mission.landmarks, &mission.navigator);
-            begun.map(|(navigator, frames)| (navigator, Some(frames)))
-        } else {
-            let ground = KnownGround::of(&mission, map);
-            let navigator = Navigator::new(flown.clone(), &ground, &mission.navigator);
-            let navigator = navigator.map_err(|cause| cause.to_string());
-            navigator.map(|navigator| (navigator, None))
-        };
+        let settings = &mission.navigator;
+        let navigator = (open.borrow().frames).navigator(&flown, &mission, map, settings);
         emit(JobEvent::Flight(Box::new(flown.without_inertial())));
         if !is_given {
             emit(JobEvent::Mission(Box::new(mission)));

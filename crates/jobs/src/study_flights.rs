@@ -73,12 +73,13 @@ impl Order for StudyFlightsOrder {
 #[cfg(test)]
 mod tests {
     use pilotage_core::flight::Flight;
-    use pilotage_core::navigator::Run;
+    use pilotage_core::navigator::{EstimatorChoice, Run, StepReport, UpdateReport};
+    use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
     use pilotage_study::{MeasureKind, Study, StudyPlan, numbers_of};
 
     use super::*;
     use crate::running::{figures, finished};
-    use crate::{FlightSource, FlyOrder, MapSource, StudiedFlight};
+    use crate::{ContestOrder, FlightSource, FlyOrder, MapSource, StudiedFlight};
 
     /// Two process models, one with a late camera among the faults, an aid and a walking error.
     const PLAN: &str = r#"
@@ -166,5 +167,38 @@ mod tests {
             let off = (estimate.north - truth.x).hypot(estimate.east - truth.y);
             assert!((off - end).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn estimators_that_fly_a_run_of_a_study_find_what_the_study_states_that_is_found() {
+        let study = study();
+        let numbers: Vec<Vec<Option<f64>>> = figures(StudyFlightsOrder {
+            flights: vec![flight(&study, 0)],
+            share: 0,
+        });
+        let (_, run) = opened(0, flight(&study, 0));
+        let mut worker = crate::WorkerState::new(crate::Abilities::WHOLE.opens);
+        let studied = FlightSource::Studied(Box::new(StudiedFlight {
+            study: "test".to_owned(),
+            run: 0,
+            flight: flight(&study, 0),
+        }));
+        let mission = worker.flight(&studied).unwrap().borrow().mission.clone();
+        let vehicle = mission.as_ref().unwrap().navigator.vehicle;
+        let order = ContestOrder {
+            contenders: Contender::all(&[EstimatorChoice::Unscented], &[vehicle]),
+            smooth: false,
+            ..ContestOrder::of_all(studied, MapSource::world("countryside"), mission.unwrap())
+        };
+        let tallies: Vec<ContenderTally> = figures(order.tallied());
+        let row = EstimatorComparison::of(&tallies).rows.remove(0);
+        let expected = MeasureKind::ErrorRms.among(&numbers[0]).unwrap();
+        let rms = row.position_error_m.unwrap().rms;
+        assert!((rms - expected).abs() < 1e-9, "{rms} and {expected} m");
+        let is_found = |step: &StepReport| step.updates.iter().any(UpdateReport::is_accepted);
+        assert!(
+            run.steps.iter().any(is_found),
+            "there was something to be found"
+        );
     }
 }

@@ -111,6 +111,11 @@ impl FlightSource {
         }
     }
 
+    /// Whether it is flown by no mission but its own: a study flew a copy, and its flight is to be the same to the bit.
+    pub fn has_own_mission(&self) -> bool {
+        matches!(self, Self::Studied(it) if it.flight.mission.is_some())
+    }
+
     /// Whether the small program opens it.
     pub fn is_small(&self) -> bool {
         match self {
