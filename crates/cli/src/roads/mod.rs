@@ -96,7 +96,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             spacing,
         } => {
             let (truth, proposal) = (RoadSource::open(truth)?, RoadSource::open(proposal)?);
-            [&truth, &proposal].iter().for_each(|it| tell(&it.notes()));
+            for read in [&truth, &proposal] {
+                tell(&read.notes());
+            }
             let frame = truth.frame()?;
             let first = AplsGraph::of(&truth.map(Some(&frame)), 0);
             let after = first.nodes.len() as u64;
