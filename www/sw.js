@@ -3,6 +3,8 @@ const BUILD = "__BUILD_ID__";
 const FILES = __FILES__;
 const CACHE = `pilotage-${BUILD}`;
 const here = (path) => new URL(path, self.registration.scope).href;
+/** A kept file as a browser takes it for a page, too: not as the end of a redirection, such as servers that shorten addresses make. */
+const whole = (kept) => (kept?.redirected ? new Response(kept.body, kept) : kept);
 
 self.addEventListener("install", (event) => {
   const wanted = new Set(["./", ...FILES].map(here));
@@ -17,6 +19,5 @@ self.addEventListener("activate", (event) => {
 self.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(self.registration.scope)) return;
-  const wanted = request.mode === "navigate" ? here("./") : request;
-  event.respondWith(caches.open(CACHE).then(async (cache) => (await cache.match(wanted, { ignoreSearch: true, ignoreVary: true })) ?? fetch(request)));
+  event.respondWith(caches.open(CACHE).then(async (cache) => whole(await cache.match(request, { ignoreSearch: true, ignoreVary: true })) ?? fetch(request)));
 });

@@ -1,10 +1,10 @@
-// After one visit the page works without its server, under a sub-path as on any file server.
+// After one visit the page works without its server, its lessons as well, under a sub-path as on any file server.
 import { createServer } from "node:http";
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export const name = "the page works offline after the first visit, its list of towns as well, under a sub-path";
+export const name = "the page works offline after the first visit, its list of towns and its lessons as well, under a sub-path";
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = process.env.PILOTAGE_PAGE
@@ -15,11 +15,17 @@ const kinds = {
 };
 const path = "/some/where/pilotage/";
 
-/** The plainest file server: the page's folder below a path, everything else missing. */
+/** A plain file server: the page's folder below a path, everything else missing; that of the lessons has a shorter address, to
+ * which it leads, as some hosts have it. */
 async function plainServer() {
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
-    const inner = pathname.startsWith(path) ? normalize(pathname.slice(path.length) || "index.html") : "..";
+    if (pathname === `${path}learn.html`) {
+      response.writeHead(302, { location: `${path}learn` }).end();
+      return;
+    }
+    const asked = pathname === `${path}learn` ? `${pathname}.html` : pathname;
+    const inner = asked.startsWith(path) ? normalize(asked.slice(path.length) || "index.html") : "..";
     const file = join(folder, inner);
     if (inner.startsWith("..") || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404).end("not found");
@@ -40,6 +46,10 @@ export async function run(page, tools) {
     await tools.waitReady();
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 60_000 });
     await tools.waitFor((s) => s.run_steps > 0, "the workers, which are loaded after the page", 150_000);
+    const other = await page.context().newPage();
+    const answer = await other.goto(`${server.url}nothing.html`);
+    tools.check(answer.status() === 404, `an address that is no file is answered with ${answer.status()}`);
+    await other.close();
   } finally {
     server.stop();
   }
@@ -53,4 +63,8 @@ export async function run(page, tools) {
   await page.keyboard.type("zur");
   await tools.waitFor((s) => s.go_to.offered[0]?.startsWith("Zürich, Switzerland"), "a town of the list, without a server");
   await tools.screenshot("offline-towns");
+  await page.goto(`${server.url}learn.html?embed#landmark-corrects`);
+  await page.waitForSelector("#lesson-title", { timeout: 60_000 });
+  tools.check((await page.title()).endsWith(" · Pilotage"), `the lessons are "${await page.title()}"`);
+  tools.check(await page.isVisible("#figure svg"), "the lesson has no figure");
 }
