@@ -7,6 +7,7 @@ import { shellServices, watchDrops } from "./shell.js";
 import { showTrouble, showStage, uncover } from "./cover.js";
 import { registerOffline } from "./offline.js";
 import { offerMirror } from "./mirror.js";
+import { fragment } from "./fragment.js";
 
 const root = document.documentElement;
 
@@ -140,8 +141,8 @@ async function start() {
   }
   if (location.hash.length > 1) {
     // A view, or a stop of the tour: `#tour=gate`.
-    const fragment = decodeURIComponent(location.hash.slice(1));
-    const [key, value] = fragment.startsWith("tour=") ? ["tour", fragment.slice(5)] : ["link", fragment];
+    const asked = fragment();
+    const [key, value] = asked.startsWith("tour=") ? ["tour", asked.slice(5)] : ["link", asked];
     app.remember(key, new TextEncoder().encode(value));
     // Once followed, a reload is to bring back one's own work.
     history.replaceState(null, "", location.pathname + location.search);

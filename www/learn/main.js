@@ -1,5 +1,6 @@
 // The page of lessons: which lesson or step the address names, and the parts of the page that act on it.
 import init, { LessonPage } from "../pkg/pilotage_lesson_page.js";
+import { fragment } from "../fragment.js";
 import { Reader } from "./reader.js";
 import { readProgress, markContents } from "./progress.js";
 import { offerMenu } from "./menu.js";
@@ -10,7 +11,7 @@ const find = (id) => document.getElementById(id);
 
 /** The address' fragment: what it names, and the step of it. */
 function place() {
-  const [name = "", step = ""] = decodeURIComponent(location.hash.slice(1)).split("/");
+  const [name = "", step = ""] = fragment().split("/");
   return { name, step };
 }
 
