@@ -91,7 +91,7 @@ function hasGraphics() {
 /** What is stored, once no other tab is about to change it. */
 async function openDocuments() {
   const tab = await openTab();
-  const storage = await openStorage();
+  const storage = await openStorage(tab.keeps);
   keepOnlyIn(tab, storage);
   return { tab, storage };
 }

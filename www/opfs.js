@@ -12,13 +12,14 @@ async function openFolder() {
   return root.getDirectoryHandle(FOLDER, { create: true });
 }
 
-/** What is stored; what was being written when the page ended is thrown away and named. */
-async function load(folder, storage) {
+/** What is stored; what was being written when the page ended is thrown away and named, unless another tab is just writing it. */
+async function load(folder, storage, keeps) {
   const entries = [];
   for await (const entry of folder.entries()) entries.push(entry);
   for (const [name, handle] of entries) {
     try {
       if (name.endsWith(UNFINISHED)) {
+        if (!keeps) continue;
         storage.interrupted.push(decodeURIComponent(name.slice(0, -UNFINISHED.length)));
         await folder.removeEntry(name);
       } else {
@@ -45,14 +46,14 @@ async function write(folder, name, bytes) {
 }
 
 /** Never fails: without private files the storage stays as it came. */
-export async function withPrivateFiles(storage) {
+export async function withPrivateFiles(storage, keeps) {
   storage.interrupted = [];
   const inDatabase = new Set(storage.loaded.keys());
   let folder;
   try {
     folder = await openFolder();
     if (!folder) return;
-    await load(folder, storage);
+    await load(folder, storage, keeps);
   } catch (error) {
     console.info("documents are not kept in files:", error);
     return;

@@ -16,8 +16,9 @@ async function openDatabase() {
   return done(request);
 }
 
-/** Never fails: `isKept` says whether there is anywhere to keep documents; without, they live as long as the page. */
-export async function openStorage() {
+/** Never fails: `isKept` says whether there is anywhere to keep documents; without, they live as long as the page. A tab
+ * that `keeps` none changes nothing. */
+export async function openStorage(keeps) {
   const storage = { loaded: new Map(), pending: 0, written: 0, untold: [], isKept: false, remove() {} };
   // Without a database, what only that can keep is refused.
   storage.put = storage.putFile = (key) => storage.untold.push(key);
@@ -41,7 +42,7 @@ export async function openStorage() {
   } catch (error) {
     console.warn("this browser has no database:", error);
   }
-  await withPrivateFiles(storage);
+  await withPrivateFiles(storage, keeps);
   // That is told once for everything.
   if (!storage.isKept) storage.put = storage.putFile = () => {};
   return storage;

@@ -19,11 +19,19 @@ export async function run(page, tools) {
   const { landmarks } = await tools.waitFor((s) => s.run_steps > 40, "the demo", 150_000);
   tools.check(!await isTold(page), "a single tab speaks of another");
 
+  // What this tab is just writing is left alone by others.
+  const writes = (tab, create) => tab.evaluate(async (given) => {
+    const folder = await (await navigator.storage.getDirectory()).getDirectoryHandle("documents", { create: true });
+    return folder.getFileHandle("other.unfinished", given).then(() => true, () => false);
+  }, { create });
+  await writes(page, true);
   const second = await page.context().newPage();
   await second.goto(tools.address);
   await ready(second);
   tools.check(await isTold(second), "the second tab does not say that another is open");
   tools.check(!await isTold(page), "the first tab gave way unasked");
+  tools.check(await writes(page, false), "the second tab threw away what the first is writing");
+  await page.evaluate(async () => (await (await navigator.storage.getDirectory()).getDirectoryHandle("documents")).removeEntry("other.unfinished"));
   await second.screenshot({ path: tools.pictureAt("second-tab") });
 
   // An edit in the second tab is kept nowhere.
