@@ -10,11 +10,17 @@ export function startFilm(canvas) {
   const kind = globalThis.MediaRecorder && kinds.find(([type]) => MediaRecorder.isTypeSupported(type));
   if (!kind || !canvas.captureStream) return "";
   const [mimeType, ending] = kind;
-  recorder = new MediaRecorder(canvas.captureStream(perSecond), { mimeType, videoBitsPerSecond: bits });
-  recorder.parts = [];
-  recorder.addEventListener("dataavailable", ({ data, target }) => target.parts.push(data));
-  recorder.start(1000);
-  return ending;
+  try {
+    const begun = new MediaRecorder(canvas.captureStream(perSecond), { mimeType, videoBitsPerSecond: bits });
+    begun.parts = [];
+    begun.addEventListener("dataavailable", ({ data, target }) => target.parts.push(data));
+    begun.start(1000);
+    recorder = begun;
+    return ending;
+  } catch (error) {
+    console.warn("no film can be made:", error);
+    return "";
+  }
 }
 
 /** Ends the film that is being made and resolves to it as a blob, once its last part is there. */

@@ -63,8 +63,14 @@ export async function withPrivateFiles(storage, keeps) {
   let last = Promise.resolve();
   const change = (key, deed) => {
     storage.pending += 1;
-    last = last.then(deed).then(
-      () => { storage.written += 1; if (inDatabase.delete(key)) remove(key); },
+    // The folder itself is gone where people or the browser deleted the data of the page.
+    const again = async (error) => {
+      if (error.name !== "NotFoundError") throw error;
+      folder = await openFolder();
+      return deed();
+    };
+    last = last.then(deed).catch(again).then(
+      () => { storage.written += 1; storage.isKept = true; if (inDatabase.delete(key)) remove(key); },
       (error) => { storage.untold.push(key); console.warn(`could not store ${key}:`, error); },
     ).finally(() => { storage.pending -= 1; });
   };

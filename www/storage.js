@@ -23,17 +23,26 @@ export async function openStorage(keeps) {
   // Without a database, what only that can keep is refused.
   storage.put = storage.putFile = (key) => storage.untold.push(key);
   try {
-    const database = await openDatabase();
+    let database = await openDatabase();
+    // Browsers close it where its data is deleted, some in the background, too.
+    const watch = () => { database.onclose = () => { storage.isKept = false; }; };
+    const refused = (key, error) => { storage.pending -= 1; storage.untold.push(key); console.warn(`could not store ${key}:`, error); };
+    watch();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
     const [keys, values] = await Promise.all([done(table.getAllKeys()), done(table.getAll())]);
     keys.forEach((key, i) => storage.loaded.set(String(key), values[i] instanceof Blob ? values[i] : new Uint8Array(values[i])));
     const change = (key, deed) => {
       storage.pending += 1;
-      const write = database.transaction(TABLE, "readwrite");
-      deed(write.objectStore(TABLE));
-      write.oncomplete = () => { storage.pending -= 1; storage.written += 1; };
-      write.onabort = () => { storage.pending -= 1; storage.untold.push(key); console.warn(`could not store ${key}:`, write.error); };
-      write.commit?.();
+      try {
+        const write = database.transaction(TABLE, "readwrite");
+        deed(write.objectStore(TABLE));
+        write.oncomplete = () => { storage.pending -= 1; storage.written += 1; storage.isKept = true; };
+        write.onabort = () => refused(key, write.error);
+        write.commit?.();
+      } catch (error) { // The connection is closed: what is told is stored again by another one.
+        refused(key, error);
+        openDatabase().then((fresh) => { database = fresh; watch(); }, () => {});
+      }
     };
     storage.put = (key, bytes) => change(key, (documents) => documents.put(bytes.buffer, key));
     storage.putFile = (key, file) => change(key, (documents) => documents.put(file, key));

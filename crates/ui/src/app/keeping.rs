@@ -61,7 +61,7 @@ impl Keeping {
             } else {
                 format!("There is no room for {files}: open it again at the next visit.")
             };
-            let text = format!("Its storage for this page is full or switched off. {lost}");
+            let text = format!("Its storage for this page is full, emptied or switched off. {lost}");
             let title = "The browser could not keep everything";
             toasts.trouble(now, title, text);
         }
