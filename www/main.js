@@ -104,18 +104,27 @@ async function saveNow(app, storage) {
   }
 }
 
-/** Looks after the workers, and notices a panic of the program; `isKept` tells whether documents are kept. */
-function keepWatch(app, isKept) {
-  const timer = setInterval(() => {
-    const panic = app.panic_message();
-    if (panic === undefined) return app.tick();
+/** Looks after the workers, and notices a panic of the program and the loss of the graphics card behind `canvas`, whose
+ * context is not made anew; `isKept` tells whether documents are kept. */
+function keepWatch(app, canvas, isKept) {
+  const end = (state, title, cause, details) => {
+    if (root.dataset.ready !== "1") return; // it has ended before
     clearInterval(timer);
-    root.dataset.ready = "panicked";
+    root.dataset.ready = state;
     const left = isKept()
       ? "Your documents are safe in this browser and will be here when the page has loaded again."
       : "What was changed here is not kept.";
-    showTrouble("Pilotage has stopped", `A fault in the program ended it. ${left}`, panic);
+    showTrouble(title, `${cause} ${left}`, details);
+  };
+  const timer = setInterval(() => {
+    const panic = app.panic_message();
+    if (panic === undefined) return app.tick();
+    end("panicked", "Pilotage has stopped", "A fault in the program ended it.", panic);
   }, 500);
+  canvas.addEventListener("webglcontextlost", () => {
+    app.store_now();
+    end("no-graphics", "The graphics card stopped drawing", "Its driver was started anew, or the browser took its memory away.");
+  });
 }
 
 async function start() {
@@ -160,7 +169,7 @@ async function start() {
   tab.save = () => saveNow(app, storage);
   addEventListener("visibilitychange", () => { if (document.hidden) app.store_now(); });
   tellOf(tab, storage);
-  keepWatch(app, () => tab.keeps && storage.isKept);
+  keepWatch(app, canvas, () => tab.keeps && storage.isKept);
   canvas.focus();
   offerMirror(app, canvas);
   uncover();
