@@ -12,15 +12,18 @@ function tile(cache, address) {
   return asked;
 }
 
-/** The bytes of a tile, none of them where the server has none, and whether the server gave them now; throws where it cannot be had. */
+/** The bytes of a tile, none of them where the server has none, whether the server gave them now, and why they could not be kept, if so; throws
+ * where it cannot be had. */
 async function request(cache, address) {
   const kept = await cache?.match(address);
   if (kept) return { bytes: new Uint8Array(await kept.arrayBuffer()), isNew: false };
   const answer = await fetch(address, { credentials: "omit", referrerPolicy: "origin" });
   if (answer.status === 404 || answer.status === 204) return { bytes: new Uint8Array(0), isNew: true };
   if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`);
-  await cache?.put(address, answer.clone());
-  return { bytes: new Uint8Array(await answer.arrayBuffer()), isNew: true };
+  const bytes = new Uint8Array(await answer.arrayBuffer());
+  // Without the answer's headers: some forbid that it is kept.
+  const refusal = await cache?.put(address, new Response(bytes)).catch((error) => error);
+  return { bytes, isNew: true, refusal };
 }
 
 const open = () => globalThis.caches?.open(CACHE).catch(() => undefined);
@@ -38,20 +41,22 @@ export async function fetchTiles(addresses) {
 
 let download = null;
 
-/** Puts an area's tiles into the cache; those that are there already are passed over. */
+/** Puts an area's tiles into the cache until there is no room for more; those that are there already are passed over. */
 export async function downloadTiles(addresses) {
-  const own = { all: addresses.length, done: 0, failed: 0, over: false, stopped: false };
+  const own = { all: addresses.length, done: 0, failed: 0, over: false, full: false, stopped: false };
   download = own;
   const cache = await open();
   const waiting = addresses[Symbol.iterator]();
   const work = async () => {
     for (const address of waiting) {
-      if (own.stopped) return;
+      if (own.stopped || own.full) return;
       try {
         if (!cache) throw new Error("this browser keeps no cache");
-        if (!(await cache.match(address))) await tile(cache, address);
-      } catch {
+        const { refusal } = await cache.match(address) ? {} : await tile(cache, address);
+        if (refusal) throw refusal;
+      } catch (error) {
         own.failed += 1;
+        own.full ||= error.name === "QuotaExceededError";
       }
       own.done += 1;
     }
@@ -60,9 +65,9 @@ export async function downloadTiles(addresses) {
   own.over = true;
 }
 
-/** What became of the download so far; an empty list if there is none. */
+/** What became of the download so far, at its end 1, or 2 where there was no room for all; an empty list if there is none. */
 export function downloadState() {
-  return download ? [download.done, download.all, download.failed, Number(download.over)] : [];
+  return download ? [download.done, download.all, download.failed, download.over ? 1 + Number(download.full) : 0] : [];
 }
 
 /** Ends it; what has come stays, so that it can go on later. */

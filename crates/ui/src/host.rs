@@ -31,6 +31,15 @@ pub struct Download {
     pub failed: u64,
     /// Whether it came to its end.
     pub over: bool,
+    /// Whether that was because the browser has no room for more.
+    pub is_full: bool,
+}
+
+impl Download {
+    /// Tiles that are there.
+    pub fn got(&self) -> u64 {
+        self.done.saturating_sub(self.failed)
+    }
 }
 
 /// The shell's services.

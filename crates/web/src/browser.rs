@@ -74,7 +74,8 @@ extern "C" {
     #[wasm_bindgen(method, js_name = downloadTiles)]
     pub fn download_tiles(this: &Shell, addresses: js_sys::Array);
 
-    /// Progress of the download: done, all, failed, over; empty if it was never begun.
+    /// Progress of the download: done, all, failed, and 1 once it is over, 2 if for lack of room; empty if it was never
+    /// begun.
     #[wasm_bindgen(method, js_name = downloadState)]
     pub fn download_state(this: &Shell) -> Vec<f64>;
 

@@ -328,6 +328,7 @@ impl Host for PageHost {
             all: all as u64,
             failed: failed as u64,
             over: over > 0.0,
+            is_full: over > 1.0,
         })
     }
 

@@ -292,7 +292,7 @@ impl WebMapDialog {
             }
         });
         if let Some(download) = scene.download.filter(|d| d.over && d.all > 0) {
-            let got = download.all - download.failed;
+            let got = download.got();
             ui.label(muted(
                 tokens,
                 format!("The last download brought {got} of {} tiles.", download.all),

@@ -89,8 +89,15 @@ impl WebMapFeature {
             return;
         };
         self.is_downloading = false;
-        let got = download.all - download.failed;
-        if download.failed == 0 {
+        let got = download.got();
+        if download.is_full {
+            let text = format!(
+                "The browser has no room for more than {got} of {} tiles. Make room on this machine, or \
+                 choose a smaller area or a coarser zoom.",
+                download.all
+            );
+            context.trouble("The area is not whole", text);
+        } else if download.failed == 0 {
             let text = match got {
                 1 => "The tile is here and needs no network.".to_owned(),
                 _ => format!("{got} tiles are here and need no network."),

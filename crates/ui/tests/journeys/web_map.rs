@@ -3,6 +3,8 @@ use egui_kittest::kittest::Queryable as _;
 use pilotage_core::raster::Raster;
 use pilotage_jobs::{DescribeMapOrder, FileContent, Job, JobEvent, MapSource, ProvideOrder};
 
+use pilotage_ui::host::Download;
+
 use super::support::{Ahead, Rig, rig};
 
 fn is_open(rig: &Rig) -> bool {
@@ -192,4 +194,30 @@ fn of_a_map_of_the_web_no_boxes_at_random_are_asked_that_nobody_looks_at() {
     rig.open_tab("Plan");
     rig.settle();
     assert!(rig.host().jobs.iter().any(is_of_boxes));
+}
+
+#[test]
+fn a_download_without_room_says_so_and_one_that_was_stopped_how_far_it_came() {
+    let mut rig = rig();
+    choose(&mut rig, "USGS imagery: ");
+    rig.harness.get_by_label("Open the map").click();
+    rig.settle();
+    rig.key_with(Modifiers::SHIFT, Key::M);
+    rig.frames(4);
+    rig.harness
+        .get_by_label("Download what is in sight")
+        .click();
+    rig.host().download = Some(Download {
+        done: 12,
+        all: 40,
+        failed: 3,
+        over: true,
+        is_full: true,
+    });
+    rig.frames(6);
+    let toasts = rig.state()["toasts"].to_string();
+    let told = "has no room for more than 9 of 40 tiles";
+    assert!(toasts.contains(told), "{toasts}");
+    let row = "The last download brought 9 of 40 tiles.";
+    assert!(rig.harness.query_by_label(row).is_some());
 }

@@ -24,7 +24,7 @@ use pilotage_jobs::{
     MakeFlightOrder, MapInfo, MatchPictures, OpenOrder, OpenedFiles, ProvideOrder, ReadLog,
     ReadLogOrder, Reply, Request, SuggestOrder, TileOrder,
 };
-use pilotage_ui::host::{Host, OpenedFile};
+use pilotage_ui::host::{Download, Host, OpenedFile};
 use pilotage_ui::job_owners::JobOwners;
 
 use super::flight::{flight, mission, run, run_head};
@@ -91,6 +91,8 @@ pub struct ScriptedHost {
     pub saved: Vec<(String, Vec<u8>)>,
     /// Addresses of tiles that were to be downloaded.
     pub downloaded: Vec<String>,
+    /// State of that, told in answer.
+    pub download: Option<Download>,
     /// Pictures offered to the user: name, drawing, and size in pixels.
     pub pictures: Vec<(String, String, [u32; 2])>,
     /// Number of times that the file dialog was asked for.
@@ -573,6 +575,10 @@ impl Host for ScriptedHost {
 
     fn download(&mut self, addresses: Vec<String>) {
         self.downloaded.extend(addresses);
+    }
+
+    fn download_state(&mut self) -> Option<Download> {
+        self.download
     }
 
     fn works_ahead(&self) -> bool {
