@@ -3,9 +3,10 @@ import { framesOf, isFilm, tellsPlaces } from "./video.js";
 
 /** Maps, heights and logs larger than this many bytes stay where they are; workers read pieces of them. */
 const LARGE = 4 << 20;
-/** Pictures that are more bytes than this together stay where they are as well. */
+/** Files that are more bytes than this together stay where they are as well. */
 const MANY = 16 << 20;
-const PICTURE = /\.(jpe?g|png)$/i;
+/** Most bytes of a file that is not read by pieces: LARGEST_WHOLE of the workers. */
+const WHOLE = 1 << 30;
 const MAPS = /\.(tiff?|pmtiles|hgt)$/i;
 /** Endings of logs, as the program names them on the page once it is there. */
 const logs = () => document.getElementById("logs").textContent.split(", ");
@@ -28,13 +29,21 @@ export function inWords(unread) {
 
 const ofSystem = (error) => `The browser could not read it: ${String(error?.message || error).replace(/\.$/, "")}. It may have been moved, or lie in a cloud: copy it to this machine and open it again.`;
 
+/** Why a file that is not read by pieces is none of use, if it is too large for that. */
+function tooLarge(path, { size }) {
+  if (size <= WHOLE || isReadByPieces(path) || isFilm(path)) return undefined;
+  const advice = /\.(zip|tar|tgz|gz)$/i.test(path) ? "Unpack it, and open the folder." : "Open a part of it.";
+  return `It has ${(size / WHOLE).toFixed(1)} GiB, and files of its kind are read at once, up to 1 GiB. ${advice}`;
+}
+
 /** Paths and contents of a list of files, one for one, and what of it could not be read besides `unread`. */
 async function gather(list, unread = []) {
   const paths = [], contents = [];
-  const pictures = list.filter(([path]) => PICTURE.test(path));
-  const areMany = pictures.reduce((sum, [, file]) => sum + file.size, 0) > MANY;
+  const areMany = list.reduce((sum, [path, file]) => sum + (isFilm(path) ? 0 : file.size), 0) > MANY;
   for (const [path, file] of list) {
     try {
+      const why = tooLarge(path, file);
+      if (why) { unread.push({ path, what: "Nothing was read", why }); continue; }
       if (isFilm(path)) {
         if (await tellsPlaces(file)) { paths.push(path); contents.push(file); }
         const { frames, lack } = await framesOf(path, file);
@@ -42,7 +51,7 @@ async function gather(list, unread = []) {
         if (lack) unread.push({ path, ...lack });
         continue;
       }
-      const stays = (file.size > LARGE && isReadByPieces(path)) || (areMany && PICTURE.test(path));
+      const stays = areMany || (file.size > LARGE && isReadByPieces(path));
       contents.push(stays ? file : new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     } catch (error) {

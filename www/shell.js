@@ -63,21 +63,27 @@ async function saving(app, name, work) {
   }
 }
 
-/** Gives the app what was read of files, and tells what was not. */
-function open(app, { paths, contents, troubles }) {
-  if (paths.length) app.open_files(paths, contents);
-  for (const [title, text] of troubles) app.tell_trouble(title, text);
+/** Gives the app what is read of files, and tells what is not. */
+async function open(app, reading) {
+  try {
+    const { paths, contents, troubles } = await reading;
+    if (paths.length) app.open_files(paths, contents);
+    for (const [title, text] of troubles) app.tell_trouble(title, text);
+  } catch (error) {
+    console.error(error);
+    app.tell_trouble("The files were not opened", `The page could not read them: ${error?.message || error}`);
+  }
 }
 
 export function shellServices(storage, app) {
   const input = document.getElementById("files");
   const summary = document.getElementById("summary");
   const canvas = document.getElementById("app");
-  input.addEventListener("change", async () => {
-    const files = await readChosen(input.files);
+  input.addEventListener("change", () => {
+    const reading = readChosen([...input.files]);
     input.value = "";
     canvas.focus();
-    open(app, files);
+    open(app, reading);
   });
   input.addEventListener("cancel", () => canvas.focus());
   return {
@@ -144,10 +150,10 @@ export function watchDrops(app) {
   };
   addEventListener("dragenter", over, true);
   addEventListener("dragover", over, true);
-  addEventListener("drop", async (event) => {
+  addEventListener("drop", (event) => {
     if (!withFiles(event)) return;
     take(event);
     hint.hidden = true;
-    open(app, await readDropped(event.dataTransfer));
+    open(app, readDropped(event.dataTransfer));
   }, true);
 }

@@ -1,4 +1,7 @@
 // Files that are broken or of no use are refused with their name and what is wrong with them.
+import { closeSync, ftruncateSync, mkdtempSync, openSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { zip } from "./zip.mjs";
 
 export const name = "a broken file is refused with its name and cause, and nothing is lost";
@@ -29,9 +32,12 @@ const damaged = [
 export async function run(page, tools) {
   await tools.waitReady();
   const before = await tools.waitFor((s) => s.run_steps > 20, "the first seconds of the run", 150_000);
+  await tooLarge(page, tools);
+  const padding = ["trip/padding.bin", Buffer.alloc(17e6)]; // with which the zip stays where it is, and is read there
   const cases = [
     [[file("flight.json", "{\n  \"pilotage_flight\": one\n}")], /flight\.json.*line 2/s],
     [[file("damaged.zip", zip(damaged))], /air\.csv.*line 4.*sixteen/s],
+    [[file("damaged-large.zip", zip([...damaged, padding]))], /damaged-large\.zip.*air\.csv.*line 4.*sixteen/s],
     [[file("wandered.zip", "this is no zip file")], /wandered\.zip/],
     [[file("notes.txt", "dear diary")], /notes\.txt.*flight\.json/s],
     [[file("last.run", "PILOTAGE RUN 1\nbroken")], /last\.run/],
@@ -46,4 +52,25 @@ export async function run(page, tools) {
     tools.check(state.run_steps >= before.run_steps && state.run_generation === before.run_generation, "the run was lost");
   }
   await tools.screenshot("broken-file");
+}
+
+/** A zip that is too large to be read at once is refused by its size, before anything of it is read. */
+async function tooLarge(page, tools) {
+  const folder = mkdtempSync(join(tmpdir(), "pilotage-large-zip-"));
+  try {
+    const path = join(folder, "campaign.zip");
+    const sparse = openSync(path, "w");
+    ftruncateSync(sparse, 1.25 * 2 ** 30);
+    closeSync(sparse);
+    const begun = Date.now();
+    await page.setInputFiles("#files", path);
+    const told = (s) => s.toasts.find((t) => t.trouble && /campaign\.zip/.test(t.title));
+    const { title, text } = told(await tools.waitFor(told, "a word about the size", 10_000));
+    const memory = await page.evaluate(() => window.app.memory_bytes());
+    tools.say(`${title}: ${text} (${((Date.now() - begun) / 1000).toFixed(1)} s, ${(memory / 1e6).toFixed(0)} MB)`);
+    tools.check(/1\.3 GiB.*Unpack it/.test(text), text);
+    tools.check(memory < 100e6, `the page took ${(memory / 1e6).toFixed(0)} MB`);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }

@@ -9,7 +9,7 @@ use pilotage_core::imagery::ByteSource;
 
 use super::{FileContent, LentFiles};
 
-/// Largest file that is read whole, bytes.
+/// Largest file that is read whole, bytes; `WHOLE` of `www/files.js`, which refuses larger ones before they are read.
 const LARGEST_WHOLE: u64 = 1 << 30;
 
 /// Files of one drop.
@@ -102,6 +102,13 @@ mod tests {
         let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
         assert_eq!(pool.read("flight/flight.json"), Some(b"{}".to_vec()));
         assert_eq!(names_ending_in(&pool, &["jpg"]), ["ortho.JPG"]);
+    }
+
+    #[test]
+    fn the_page_refuses_what_is_too_large_here() {
+        let page = include_str!("../../../www/files.js");
+        assert!(page.contains("const WHOLE = 1 << 30;"));
+        assert_eq!(LARGEST_WHOLE, 1 << 30);
     }
 
     #[test]
