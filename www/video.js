@@ -66,9 +66,18 @@ function timeOf(film) {
   return frame.timestamp / 1e6;
 }
 
+let before = Promise.resolve(); // the film that was asked for last
+
 /** The frames of a film: [path, picture] of each, and [path, bytes] of `frames.csv` beside them, and what it `lack`s, if
- * anything, and why. What was taken before a stop or a fault stays. The browser keeps the pictures, outside the memory of the page. */
-export async function framesOf(path, file) {
+ * anything, and why. What was taken before a stop or a fault stays. The browser keeps the pictures, outside the memory of the page.
+ * One film after the other: there is one line that tells of it, and one decoder is enough. */
+export function framesOf(path, file) {
+  const own = before.then(() => taken(path, file));
+  before = own.catch(() => {});
+  return own;
+}
+
+async function taken(path, file) {
   const told = progress(path);
   const film = document.createElement("video");
   const address = URL.createObjectURL(file);
