@@ -56,14 +56,29 @@ fn commands() -> Vec<CommandEntry> {
 pub struct LinkFeature {
     /// View that is shown once its flight is there.
     followed: Option<Link>,
-    /// Session that was open before it, or before that of an earlier visit.
-    before: Option<Session>,
+    /// Sessions that were open before it, or before those of earlier visits, in the order in which they are brought back.
+    before: Vec<Session>,
+}
+
+/// Sessions one behind the other, in lines: none of them has a line break.
+fn encode_all(sessions: &[Session]) -> Vec<u8> {
+    let all: Vec<_> = sessions.iter().map(Session::encode).collect();
+    all.join(&b'\n')
+}
+
+fn decode_all(bytes: &[u8]) -> Vec<Session> {
+    let lines = bytes.split(|byte| *byte == b'\n');
+    lines.filter_map(Session::decode).collect()
 }
 
 impl LinkFeature {
     /// Opens the flight of a link; what was open before is kept aside if there is work in it.
     fn follow(&mut self, link: Link, context: &mut FeatureContext<'_>) {
-        if self.keep_aside(context) {
+        if let Some(own) = work(context.documents) {
+            self.before.insert(0, own);
+            context
+                .host
+                .store(BEFORE_LINK_KEY, &encode_all(&self.before));
             let text = "It is kept aside: “Open what was open before the link”, among all commands \
                         (Ctrl+K), brings it back.";
             context.note("A link was opened instead of your own work", text);
@@ -76,33 +91,41 @@ impl LinkFeature {
         self.followed = Some(link);
     }
 
-    /// Keeps what is open aside if there is work in it; whether there is.
-    fn keep_aside(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        let own = context.documents.session();
-        let is_work = own.mission.is_some() || matches!(own.flight, FlightSource::Files(_));
-        if is_work {
-            context.host.store(BEFORE_LINK_KEY, &own.encode());
-            self.before = Some(own);
-        }
-        is_work
-    }
-
-    /// Goes back to what was open before a link was followed; work done since is kept aside in its place.
+    /// Goes back to what was open before a link was followed; work done since is kept aside behind what else is.
     fn open_before(&mut self, context: &mut FeatureContext<'_>) {
-        let Some(session) = self.before.take() else {
+        if self.before.is_empty() {
             let text = "No link was opened over work of yours.";
             context.note("Nothing was kept aside", text);
             return;
-        };
-        if self.keep_aside(context) {
-            let text = "It is kept aside in turn: the same command brings it back.";
+        }
+        let session = self.before.remove(0);
+        if let Some(own) = work(context.documents) {
+            self.before.push(own);
+            let text = match self.before.len() {
+                1 => "It is kept aside in turn: the same command brings it back.".to_owned(),
+                count => format!(
+                    "It is kept aside in turn: the same command goes on through all {count} that are."
+                ),
+            };
             context.note("Your own work is open in the place of later work", text);
-        } else {
+        }
+        if self.before.is_empty() {
             context.host.forget(BEFORE_LINK_KEY);
+        } else {
+            context
+                .host
+                .store(BEFORE_LINK_KEY, &encode_all(&self.before));
         }
         context.host.store(SESSION_KEY, &session.encode());
         context.open_session(session);
     }
+}
+
+/// What is open, if there is work in it.
+fn work(documents: &Documents) -> Option<Session> {
+    let own = documents.session();
+    let is_work = own.mission.is_some() || matches!(own.flight, FlightSource::Files(_));
+    is_work.then_some(own)
 }
 
 /// Copies a link to what is shown.
@@ -150,7 +173,7 @@ impl Feature for LinkFeature {
     fn start(&mut self, context: &mut FeatureContext<'_>) {
         // Its files stay until it is opened again.
         let kept = context.host.recall(BEFORE_LINK_KEY);
-        self.before = kept.and_then(|bytes| Session::decode(&bytes));
+        self.before = kept.map(|bytes| decode_all(&bytes)).unwrap_or_default();
         let fragment = context.host.recall(LINK_KEY);
         let fragment = fragment.and_then(|bytes| String::from_utf8(bytes).ok());
         if let Some(link) = fragment.and_then(|text| Link::decode(&text)) {

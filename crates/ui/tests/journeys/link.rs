@@ -87,6 +87,39 @@ fn work_done_on_a_link_is_kept_aside_when_ones_own_is_brought_back() {
 }
 
 #[test]
+fn a_second_link_takes_nothing_away_from_the_work_that_the_first_put_aside() {
+    let mut own = Session::demo();
+    let mut mission = pilotage_ui::documents::empty_mission();
+    mission.name = "Mine\nin two lines".into();
+    own.mission = Some(mission.clone());
+    let mut later = Session::demo();
+    mission.name = "On the link".into();
+    later.mission = Some(mission);
+    let mut first = rig();
+    command(&mut first, "copy a link to this view");
+    let link = first.host().link.clone();
+    let mut host = ScriptedHost::default();
+    host.stored.insert(BEFORE_LINK_KEY.into(), own.encode());
+    host.stored.insert(SESSION_KEY.into(), later.encode());
+    host.stored.insert(LINK_KEY.into(), link.into_bytes());
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    // What is stored leads to both, also at the next visit.
+    let mut host = ScriptedHost::default();
+    let before = rig.host().stored[BEFORE_LINK_KEY].clone();
+    host.stored.insert(BEFORE_LINK_KEY.into(), before);
+    let mut next = rig_on(host, Vec2::new(1440.0, 900.0));
+    for rig in [&mut rig, &mut next] {
+        rig.settle();
+        for name in ["On the link", "Mine\nin two lines", "On the link"] {
+            command(rig, "open what was open before the link");
+            let stored = Session::decode(&rig.host().stored[SESSION_KEY]);
+            let mission = stored.and_then(|session| session.mission);
+            assert_eq!(mission.map(|it| it.name).as_deref(), Some(name));
+        }
+    }
+}
+
+#[test]
 fn files_of_work_that_is_kept_aside_stay_when_others_are_opened_at_a_later_visit() {
     let own = Session {
         flight: FlightSource::Files("opened-1".to_owned()),
