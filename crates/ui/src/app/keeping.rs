@@ -7,13 +7,12 @@ use pilotage_core::frames::GroundRect;
 use super::fly_work::FlyWork;
 use super::openings::Openings;
 use super::storage::Keeping;
-use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
+use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, provide, recall_files};
 use crate::documents::{Documents, OpenedTerrain, Session};
 use crate::feature::{Feature, OpenedSet};
 use crate::host::{Host, OpenedFile};
-use crate::job_owners::JobOwner;
 use crate::shell::Toasts;
-use pilotage_jobs::{FileContent, FlightSource, Job, MapSource, ProvideOrder};
+use pilotage_jobs::{FileContent, FlightSource, MapSource};
 
 /// Keys of the opened files that a session names.
 fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a str> {
@@ -61,7 +60,8 @@ impl Keeping {
             } else {
                 format!("There is no room for {files}: open it again at the next visit.")
             };
-            let text = format!("Its storage for this page is full, emptied or switched off. {lost}");
+            let text =
+                format!("Its storage for this page is full, emptied or switched off. {lost}");
             let title = "The browser could not keep everything";
             toasts.trouble(now, title, text);
         }
@@ -73,7 +73,7 @@ impl Keeping {
         !refused.is_empty()
     }
 
-    /// Gives the workers the files of the earlier visit; the keys of those that are gone.
+    /// Gives the workers the files of this visit or an earlier one; the keys of those that are gone.
     pub fn restore(
         &mut self,
         documents: &Documents,
@@ -86,16 +86,17 @@ impl Keeping {
         let mut gone = BTreeSet::new();
         for key in sets {
             openings.count_on(&key);
+            // Those that were opened at this visit are here, and the host tells of others once.
+            if let Some(files) = self.files(&key) {
+                provide(host, &key, &files);
+                continue;
+            }
             match recall_files(host, &key) {
                 Ok(files) => {
-                    let of = |(path, content): &(String, FileContent)| OpenedFile {
-                        path: path.clone(),
-                        content: content.clone(),
-                    };
-                    let known = files.iter().map(of).collect();
-                    self.knows(&key, files.len(), known);
-                    let job = Job::Provide(ProvideOrder { key, files });
-                    host.start(JobOwner::Files, job);
+                    let of = |(path, content)| OpenedFile { path, content };
+                    let files: Vec<_> = files.into_iter().map(of).collect();
+                    provide(host, &key, &files);
+                    self.knows(&key, files.len(), files);
                 }
                 Err(count) => {
                     self.knows(&key, count, Vec::new());

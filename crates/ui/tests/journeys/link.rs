@@ -1,10 +1,12 @@
 use egui::{Key, Modifiers, Vec2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{FlightSource, Job};
+use pilotage_jobs::{FlightSource, Job, OpenedFiles};
 use pilotage_ui::documents::{SESSION_KEY, Session};
 use pilotage_ui::host::OpenedFile;
 use pilotage_ui::link::{BEFORE_LINK_KEY, LINK_KEY, Link};
 
+use super::reopen::{files, nothing};
+use super::support::flight::flight;
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 fn command(rig: &mut Rig, words: &str) {
@@ -117,6 +119,36 @@ fn a_second_link_takes_nothing_away_from_the_work_that_the_first_put_aside() {
             assert_eq!(mission.map(|it| it.name).as_deref(), Some(name));
         }
     }
+}
+
+#[test]
+fn a_flight_that_was_opened_at_this_visit_comes_back_with_its_files() {
+    let mut own = Session::demo();
+    own.mission = Some(pilotage_ui::documents::empty_mission());
+    let mut host = ScriptedHost::default();
+    host.stored.insert(BEFORE_LINK_KEY.into(), own.encode());
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    rig.host().opens = Some(OpenedFiles {
+        flight: Some(flight()),
+        ..nothing()
+    });
+    rig.host().opened.push(files(100));
+    rig.frames(6);
+    rig.settle();
+    let of_files = FlightSource::Files("opened-1".to_owned());
+    let flown =
+        |rig: &mut Rig| Session::decode(&rig.host().stored[SESSION_KEY]).map(|it| it.flight);
+    command(&mut rig, "open what was open before the link");
+    assert_ne!(flown(&mut rig), Some(of_files.clone()));
+    command(&mut rig, "open what was open before the link");
+    assert_eq!(flown(&mut rig), Some(of_files));
+    let toasts = rig.state()["toasts"].to_string();
+    assert!(!toasts.contains("not here"), "{toasts}");
+    let provided = rig.host().jobs.iter().filter(|(_, job)| {
+        matches!(job, Job::Provide(order) if order.key == "opened-1" && !order.files.is_empty())
+    });
+    assert_eq!(provided.count(), 2);
+    assert!(rig.host().stored.contains_key("files of opened-1"));
 }
 
 #[test]

@@ -11,7 +11,8 @@ use super::plan::draw;
 use super::support::flight::flight;
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
-fn files(bytes: usize) -> Vec<OpenedFile> {
+/// Files of a flight.
+pub fn files(bytes: usize) -> Vec<OpenedFile> {
     let file = |path: &str| OpenedFile {
         path: path.into(),
         content: vec![7; bytes].into(),
