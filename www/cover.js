@@ -25,6 +25,14 @@ export function showTrouble(title, text, details) {
   element("copy").hidden = !details;
   element("trouble-details").textContent = details ?? "";
   element("reload").onclick = () => location.reload();
-  element("copy").onclick = () => navigator.clipboard?.writeText(details);
+  element("copy").textContent = "Copy the details";
+  element("copy").onclick = async ({ target }) => {
+    try {
+      await navigator.clipboard.writeText(details);
+      target.textContent = "Copied";
+    } catch { // not allowed, or there is none: they are marked, to be copied by hand
+      getSelection().selectAllChildren(element("trouble-details"));
+    }
+  };
   element("reload").focus();
 }

@@ -115,11 +115,15 @@ export function shellServices(storage, app) {
     failedStores() { return storage.untold.splice(0); },
     interruptedSaves() { return storage.interrupted.splice(0); },
     print(style, body) { printPage(style, body); },
-    copyLink(fragment) {
+    async copyLink(fragment) {
       const link = `${location.href.split("#")[0]}#${fragment}`;
-      const show = () => history.replaceState(history.state, "", link); // at least in the address bar
-      if (navigator.clipboard) navigator.clipboard.writeText(link).catch(show);
-      else show();
+      try {
+        await navigator.clipboard.writeText(link);
+        return true;
+      } catch { // not allowed, or there is none, as without https
+        prompt("This browser did not let the link be copied. Copy it from here:", link);
+        return false;
+      }
     },
     showPlace(place, replaces) {
       try {

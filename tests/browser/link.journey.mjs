@@ -20,6 +20,24 @@ async function settled(tools) {
   }, "a map at rest");
 }
 
+/** Where the clipboard refuses it, the link is shown to be copied by hand, and not called copied. */
+async function refusedCopy(page, tools) {
+  await page.evaluate(() => {
+    window.writeText = navigator.clipboard.writeText;
+    navigator.clipboard.writeText = () => Promise.reject(new DOMException("not allowed", "NotAllowedError"));
+  });
+  const asked = page.waitForEvent("dialog");
+  await command(page, tools, "copy a link to this view");
+  const dialog = await asked;
+  tools.say(`refused: ${dialog.message()}`);
+  tools.check(dialog.defaultValue().startsWith(`${tools.address}#scenario=`), `the link is ${dialog.defaultValue()}`);
+  await dialog.dismiss();
+  await tools.drawn();
+  tools.check(!(await tools.state()).toasts.some((t) => t.title === "Link copied"), "it is called copied");
+  tools.check(new URL(page.url()).hash === "", "the address carries the link, which a reload would follow");
+  await page.evaluate(() => { navigator.clipboard.writeText = window.writeText; });
+}
+
 export async function run(page, tools) {
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await tools.waitReady();
@@ -28,6 +46,7 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.workspace === "Plan" && s.plan.routes.length > 0, "the plan");
   await page.keyboard.press("Equal");
   await settled(tools);
+  await refusedCopy(page, tools);
   await command(page, tools, "copy a link to this view");
   await tools.waitFor((s) => s.toasts.some((t) => t.title === "Link copied"), "the word that it is copied");
   const link = await page.evaluate(() => navigator.clipboard.readText());

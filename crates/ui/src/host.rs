@@ -158,8 +158,13 @@ pub trait Host {
     /// Lets the user print a page: style sheet and body, as HTML.
     fn print(&mut self, _style: &str, _body: &str) {}
 
-    /// Puts a link to this page with that fragment into the clipboard and the address bar.
+    /// Puts a link to this page with that fragment into the clipboard, or shows it where that is refused.
     fn copy_link(&mut self, _fragment: &str) {}
+
+    /// Whether the link is in the clipboard, once that is known. To be asked until it is.
+    fn link_copied(&mut self) -> Option<bool> {
+        Some(true)
+    }
 
     /// Whether people have the rest of their screen light.
     fn prefers_light(&self) -> bool {

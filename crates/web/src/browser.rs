@@ -111,9 +111,9 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn print(this: &Shell, style: &str, body: &str);
 
-    /// Puts a link with that fragment into the clipboard and the address bar.
+    /// Puts a link with that fragment into the clipboard, or shows it: a promise of whether it was copied.
     #[wasm_bindgen(method, js_name = copyLink)]
-    pub fn copy_link(this: &Shell, fragment: &str);
+    pub fn copy_link(this: &Shell, fragment: &str) -> js_sys::Promise;
 
     /// Puts a place in the app into the browser's history, or in the place of the entry that is shown.
     #[wasm_bindgen(method, js_name = showPlace)]

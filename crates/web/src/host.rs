@@ -63,6 +63,8 @@ struct Inner {
     fetched: ShortMap<String, Vec<u8>>,
     /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
+    /// Whether the link that was to be copied last is in the clipboard, once that is known.
+    link_copied: Option<bool>,
     /// Whether what nobody asked for is left undone.
     leaves_ahead: bool,
 }
@@ -137,6 +139,7 @@ impl PageHost {
             wanted: None,
             fetched: ShortMap::default(),
             told: None,
+            link_copied: None,
             leaves_ahead: false,
         };
         Self {
@@ -453,7 +456,18 @@ impl Host for PageHost {
     }
 
     fn copy_link(&mut self, fragment: &str) {
-        self.inner.borrow().shell.copy_link(fragment);
+        let promise = self.inner.borrow().shell.copy_link(fragment);
+        let shared = self.inner.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let copied = wasm_bindgen_futures::JsFuture::from(promise).await;
+            let mut inner = shared.borrow_mut();
+            inner.link_copied = Some(copied.is_ok_and(|it| it.is_truthy()));
+            inner.inbox.context.request_repaint();
+        });
+    }
+
+    fn link_copied(&mut self) -> Option<bool> {
+        self.inner.borrow_mut().link_copied.take()
     }
 
     fn prefers_stillness(&self) -> bool {

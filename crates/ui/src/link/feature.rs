@@ -58,6 +58,8 @@ pub struct LinkFeature {
     followed: Option<Link>,
     /// Sessions that were open before it, or before those of earlier visits, in the order in which they are brought back.
     before: Vec<Session>,
+    /// Words about the link that is being copied.
+    copying: Option<&'static str>,
 }
 
 /// Sessions one behind the other, in lines: none of them has a line break.
@@ -128,13 +130,13 @@ fn work(documents: &Documents) -> Option<Session> {
     is_work.then_some(own)
 }
 
-/// Copies a link to what is shown.
-fn copy(context: &mut FeatureContext<'_>) {
+/// Copies a link to what is shown; words about it, for when that is done.
+fn copy(context: &mut FeatureContext<'_>) -> Option<&'static str> {
     let FlightSource::Simulated(simulation) = &context.documents.flight.source else {
         let text = "A link carries the view and the built-in flights only. Save the mission as a \
                     file to pass on what you have opened.";
         context.note("Opened files do not fit into a link", text);
-        return;
+        return None;
     };
     let camera = &context.map.camera;
     let link = Link {
@@ -146,13 +148,12 @@ fn copy(context: &mut FeatureContext<'_>) {
         time: context.playback.time,
     };
     context.host.copy_link(&link.encode());
-    let text = if context.documents.mission.is_edited {
+    Some(if context.documents.mission.is_edited {
         "It carries the view and the built-in flight, not your edits: save the mission as a file \
          to pass them on."
     } else {
         "Whoever opens it sees this view of the built-in flight."
-    };
-    context.note("Link copied", text);
+    })
 }
 
 impl Feature for LinkFeature {
@@ -162,7 +163,7 @@ impl Feature for LinkFeature {
 
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
         match command.action() {
-            Some(LinkCommand::Copy) => copy(context),
+            Some(LinkCommand::Copy) => self.copying = copy(context),
             Some(LinkCommand::OpenBefore) => self.open_before(context),
             None => return false,
         }
@@ -197,6 +198,15 @@ impl Feature for LinkFeature {
         context.playback.playing = false;
         let span = context.documents.span();
         context.playback.seek(link.time, span);
+    }
+
+    /// Says that a link was copied once it is; where it could not be, the page has shown it.
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        let copied = self.copying.and_then(|_| context.host.link_copied());
+        let Some(is_copied) = copied else { return };
+        if let Some(text) = self.copying.take().filter(|_| is_copied) {
+            context.note("Link copied", text);
+        }
     }
 
     fn used_files(&self) -> Vec<&str> {

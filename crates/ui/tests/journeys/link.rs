@@ -152,6 +152,17 @@ fn a_flight_that_was_opened_at_this_visit_comes_back_with_its_files() {
 }
 
 #[test]
+fn a_link_is_called_copied_once_it_is() {
+    for (is_copied, told) in [(Some(true), 1), (Some(false), 0), (None, 0)] {
+        let mut rig = rig();
+        rig.host().link_copied = is_copied;
+        command(&mut rig, "copy a link to this view");
+        let toasts = rig.state()["toasts"].to_string();
+        assert_eq!(toasts.matches("Link copied").count(), told, "{is_copied:?}");
+    }
+}
+
+#[test]
 fn files_of_work_that_is_kept_aside_stay_when_others_are_opened_at_a_later_visit() {
     let own = Session {
         flight: FlightSource::Files("opened-1".to_owned()),

@@ -99,6 +99,8 @@ pub struct ScriptedHost {
     pub file_dialogs: usize,
     /// The fragment of the last link that was copied.
     pub link: String,
+    /// Whether the clipboard took it, once that is known.
+    pub link_copied: Option<bool>,
     /// The page printed last: its style and its body.
     pub printed: Option<(String, String)>,
     /// Files of the page that were asked for, in order.
@@ -670,6 +672,10 @@ impl Host for ScriptedHost {
 
     fn copy_link(&mut self, fragment: &str) {
         self.link = fragment.into();
+    }
+
+    fn link_copied(&mut self) -> Option<bool> {
+        self.link_copied
     }
 
     fn print(&mut self, style: &str, body: &str) {
