@@ -131,6 +131,7 @@ export function shellServices(storage, app) {
         else history.pushState(place, "");
       } catch { /* a browser takes so many within a time */ }
     },
+    ownServer() { return location.origin; },
     prefersStillness() { return matchMedia("(prefers-reduced-motion: reduce)").matches; },
     isTouchedFirst() { return matchMedia("(pointer: coarse)").matches; },
     prefersLight() { return matchMedia("(prefers-color-scheme: light)").matches; },

@@ -166,6 +166,11 @@ pub trait Host {
         Some(true)
     }
 
+    /// Server that the page comes from, such as `https://example.org`.
+    fn own_server(&self) -> String {
+        String::new()
+    }
+
     /// Whether people have the rest of their screen light.
     fn prefers_light(&self) -> bool {
         false

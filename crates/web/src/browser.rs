@@ -87,6 +87,10 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn forget(this: &Shell, key: &str);
 
+    /// Server that the page comes from.
+    #[wasm_bindgen(method, js_name = ownServer)]
+    pub fn own_server(this: &Shell) -> String;
+
     /// Whether people have the rest of their screen light.
     #[wasm_bindgen(method, js_name = prefersLight)]
     pub fn prefers_light(this: &Shell) -> bool;

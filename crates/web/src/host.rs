@@ -470,6 +470,10 @@ impl Host for PageHost {
         self.inner.borrow_mut().link_copied.take()
     }
 
+    fn own_server(&self) -> String {
+        self.inner.borrow().shell.own_server()
+    }
+
     fn prefers_stillness(&self) -> bool {
         self.inner.borrow().shell.prefers_stillness()
     }

@@ -20,8 +20,8 @@ extern "C" {
     #[wasm_bindgen(constructor, js_class = "XMLHttpRequest")]
     fn new() -> Request;
 
-    #[wasm_bindgen(method)]
-    fn open(this: &Request, method: &str, address: &str, waits_not: bool);
+    #[wasm_bindgen(method, catch)]
+    fn open(this: &Request, method: &str, address: &str, waits_not: bool) -> Result<(), JsValue>;
 
     #[wasm_bindgen(method, setter, js_name = responseType)]
     fn set_kind(this: &Request, kind: &str);
@@ -92,7 +92,8 @@ impl AddressBytes {
 
 fn ask(method: &str, address: &str, range: Option<&str>) -> Result<Request, String> {
     let request = Request::new();
-    request.open(method, address, false);
+    let opened = request.open(method, address, false);
+    opened.map_err(|_| "this is no address of the web; check it")?;
     request.set_kind("arraybuffer");
     if let Some(range) = range {
         request.set_header("Range", range);

@@ -6,7 +6,7 @@ use pilotage_core::imagery::web_tiles::TileTemplate;
 use pilotage_core::place_text::place_of_text;
 
 use super::WebMapCommand;
-use super::address::{host_of, is_file};
+use super::address::{check, host_of, is_file};
 use super::services::{SERVICES, WebService, service_at};
 use crate::command::Command;
 use crate::host::Download;
@@ -45,6 +45,8 @@ pub struct WebMapDialog {
     is_elsewhere: bool,
     deepest: Option<u8>,
     wrong: Option<String>,
+    /// Server that the page comes from.
+    pub(super) own_server: String,
 }
 
 impl Default for WebMapDialog {
@@ -58,6 +60,7 @@ impl Default for WebMapDialog {
             is_elsewhere: false,
             deepest: None,
             wrong: None,
+            own_server: String::new(),
         }
     }
 }
@@ -213,6 +216,7 @@ impl WebMapDialog {
     fn order(&self, origin: Option<Geodetic>, is_file: bool) -> Result<WebMapCommand, String> {
         let address = self.address.trim().to_owned();
         if is_file {
+            check(&address, &self.own_server)?;
             return Ok(WebMapCommand::OpenFile(address));
         }
         let template = TileTemplate {
@@ -224,6 +228,7 @@ impl WebMapDialog {
             side: 256,
         };
         let template = template.checked().map_err(|cause| cause.to_string())?;
+        check(&template.address, &self.own_server)?;
         if template.attribution.is_empty() {
             return Err("say whose map it is: makers of maps ask for it".to_owned());
         }
@@ -345,7 +350,14 @@ mod tests {
         dialog.attribution = "© someone".to_owned();
         assert!(dialog.order(origin, false).is_ok());
         assert!(dialog.order(None, false).unwrap_err().contains("latitude"));
+        dialog.address = "http://192.168.1.5:8080/{z}/{x}/{y}.png".to_owned();
+        assert!(dialog.order(origin, false).unwrap_err().contains("https"));
+        dialog.own_server = "http://192.168.1.5:8080".to_owned();
+        assert!(dialog.order(origin, false).is_ok());
+        dialog.address = "example.org/map.tif".to_owned();
+        assert!(dialog.order(origin, true).unwrap_err().contains("https"));
     }
+
     #[test]
     fn a_map_begins_elsewhere_only_where_there_are_tiles() {
         let mut dialog = WebMapDialog::default();

@@ -161,6 +161,7 @@ impl Feature for WebMapFeature {
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
         if self.dialog.is_open() {
+            self.dialog.own_server = context.host.own_server();
             let map = &*context.map;
             let sight = map.rect().zip(map.screen_from_world());
             self.visible = sight.map(|(rect, view)| view.visible(rect));
