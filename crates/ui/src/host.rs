@@ -161,7 +161,7 @@ pub trait Host {
     /// Puts a link to this page with that fragment into the clipboard, or shows it where that is refused.
     fn copy_link(&mut self, _fragment: &str) {}
 
-    /// Whether the link is in the clipboard, once that is known. To be asked until it is.
+    /// Fate of the link once it is known: whether the clipboard took it. To be asked until then.
     fn link_copied(&mut self) -> Option<bool> {
         Some(true)
     }

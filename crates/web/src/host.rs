@@ -63,7 +63,7 @@ struct Inner {
     fetched: ShortMap<String, Vec<u8>>,
     /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
-    /// Whether the link that was to be copied last is in the clipboard, once that is known.
+    /// Fate of the link that was to be copied last, once it is known: whether the clipboard took it.
     link_copied: Option<bool>,
     /// Whether what nobody asked for is left undone.
     leaves_ahead: bool,

@@ -8,7 +8,6 @@ use pilotage_core::flight::interpret::log_of_flight;
 use pilotage_core::flight::log::{Log, LogFormat, LogOutline};
 use pilotage_core::flight::overview::overview;
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::imagery::terrain::{HeightDatum, HeightGrid, Terrain};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::EstimatorChoice;
 use pilotage_core::plan::{
@@ -20,14 +19,15 @@ use pilotage_core::study::{Contender, ContenderTally as FlightTally, EstimatorCo
 use pilotage_jobs::{
     Abilities, AssessAheadOrder, Assessment, AssessmentOrder, ContestOrder, DetectorSearch,
     Distinctness, DistinctnessOrder, EnvelopeOrder, ExplainOrder, ExplainedBy, FieldOrder,
-    FileContent, FlightSource, FlyOrder, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner,
-    MakeFlightOrder, MapInfo, MatchPictures, OpenOrder, OpenedFiles, ProvideOrder, ReadLog,
-    ReadLogOrder, Reply, Request, SuggestOrder, TileOrder,
+    FileContent, FlightSource, FlyOrder, Glance, Job, JobEvent, JobId, JobRunner, MakeFlightOrder,
+    MapInfo, MatchPictures, OpenOrder, OpenedFiles, ProvideOrder, ReadLog, ReadLogOrder, Reply,
+    Request, SuggestOrder, TileOrder,
 };
 use pilotage_ui::host::{Download, Host, OpenedFile};
 use pilotage_ui::job_owners::JobOwners;
 
 use super::flight::{flight, mission, run, run_head};
+use super::heights::heights;
 use super::laid::{Laying, early_flight, lay_frames};
 use super::real::{Studies, is_real};
 use super::tile::tile;
@@ -99,7 +99,7 @@ pub struct ScriptedHost {
     pub file_dialogs: usize,
     /// The fragment of the last link that was copied.
     pub link: String,
-    /// Whether the clipboard took it, once that is known.
+    /// Fate of it once that is known: whether the clipboard took it.
     pub link_copied: Option<bool>,
     /// The page printed last: its style and its body.
     pub printed: Option<(String, String)>,
@@ -167,21 +167,6 @@ fn explained(order: &ExplainOrder) -> [JobEvent; 2] {
         })),
     };
     [answer, JobEvent::Finished]
-}
-
-/// Ground of a shape.
-struct Shaped(fn(&GroundPoint) -> f64, HeightDatum);
-
-impl Terrain for Shaped {
-    fn name(&self) -> &'static str {
-        "ridge.tif"
-    }
-    fn datum(&self) -> &HeightDatum {
-        &self.1
-    }
-    fn height_at(&self, place: &GroundPoint) -> Option<f64> {
-        Some(self.0(place))
-    }
 }
 
 impl ScriptedHost {
@@ -456,15 +441,6 @@ fn contest(order: &ContestOrder) -> EstimatorComparison {
         tally
     });
     EstimatorComparison::of(&judged.collect::<Vec<_>>())
-}
-
-/// The heights of ground of a shape.
-fn heights(shape: fn(&GroundPoint) -> f64, order: &HeightsOrder) -> HeightGrid {
-    let datum = HeightDatum::MeanSeaLevel("EGM96".into());
-    let mut grid = HeightGrid::over("ridge.tif", datum.clone(), order.area, 10.0, 640);
-    let shaped = Shaped(shape, datum);
-    while !grid.take_rows(&shaped, 64) {}
-    grid
 }
 
 /// A field of which the north is known, and the same with a blind south.

@@ -4,6 +4,7 @@
 pub mod canvas;
 pub mod flight;
 pub mod harness;
+pub mod heights;
 pub mod host;
 pub mod inline;
 pub mod laid;
