@@ -17,7 +17,8 @@ pub struct SendSeries {
     key: String,
     file: String,
     series: SeriesName,
-    samples: Option<Rc<TimedSamples>>,
+    /// The samples, and the base that every piece takes off.
+    samples: Option<(Rc<TimedSamples>, f64)>,
     sent: usize,
 }
 
@@ -41,9 +42,12 @@ impl RunningJob for SendSeries {
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
-        let Some(samples) = &self.samples else {
+        let Some((samples, base)) = &self.samples else {
             match worker.samples(&self.key, &self.file, &self.series)? {
-                Ok(samples) => self.samples = Some(samples),
+                Ok(samples) => {
+                    let base = LogSeries::base_of(&samples);
+                    self.samples = Some((samples, base));
+                }
                 Err(why) => {
                     let lacking = LogSeries::lacking(&self.series, why);
                     emit(JobEvent::LogSeries(Box::new(lacking)));
@@ -54,7 +58,7 @@ impl RunningJob for SendSeries {
             return Ok(Advance::More);
         };
         let is_more = slice(clock, || {
-            let piece = LogSeries::piece(&self.series, samples, self.sent, PIECE);
+            let piece = LogSeries::piece(&self.series, samples, *base, self.sent, PIECE);
             emit(JobEvent::LogSeries(Box::new(piece)));
             self.sent += PIECE;
             self.sent < samples.times.len()

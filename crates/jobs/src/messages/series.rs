@@ -60,8 +60,8 @@ pub struct LogSeries {
     pub name: SeriesName,
     /// Unit as the log states it, or empty.
     pub unit: String,
-    /// Base that is subtracted from every value: values of small changes around a large number keep their
-    /// digits.
+    /// Base that is subtracted from every value ([`Self::base_of`]): values of small changes around a large number
+    /// keep their digits.
     pub base: f64,
     /// Number of the first of these samples.
     pub first: usize,
@@ -75,10 +75,29 @@ pub struct LogSeries {
 }
 
 impl LogSeries {
-    /// Some samples of a series.
-    pub fn piece(name: &SeriesName, all: &TimedSamples, first: usize, count: usize) -> Self {
-        let base = all.values.iter().copied().find(|value| value.is_finite());
-        let base = base.unwrap_or(0.0);
+    /// Base for all pieces of a series: the value in the middle, in single precision.
+    ///
+    /// A 0 stands for no reading in most logs (GPS before its fix) and is not asked: half a flight of them would be the
+    /// middle. It stays exact with any base, as its difference is a number of single precision.
+    pub fn base_of(all: &TimedSamples) -> f64 {
+        let told = all.values.iter().map(|value| f64::from(*value as f32));
+        let told = told.filter(|value| value.is_finite() && *value != 0.0);
+        let mut told: Vec<f64> = told.collect();
+        if told.is_empty() {
+            return 0.0;
+        }
+        let middle = told.len() / 2;
+        *told.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
+
+    /// Some samples of a series, less a `base`.
+    pub fn piece(
+        name: &SeriesName,
+        all: &TimedSamples,
+        base: f64,
+        first: usize,
+        count: usize,
+    ) -> Self {
         let end = (first + count).min(all.times.len());
         let mut samples = Vec::with_capacity(SAMPLE * (end - first));
         for (time, value) in all.times[first..end].iter().zip(&all.values[first..end]) {
@@ -100,7 +119,7 @@ impl LogSeries {
     pub(crate) fn lacking(name: &SeriesName, why: String) -> Self {
         Self {
             lacks: Some(why),
-            ..Self::piece(name, &TimedSamples::default(), 0, 0)
+            ..Self::piece(name, &TimedSamples::default(), 0.0, 0, 0)
         }
     }
 

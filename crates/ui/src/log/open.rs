@@ -192,8 +192,44 @@ impl OpenLog {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pairs::tests::field;
     use super::*;
     use pilotage_core::flight::log::{Log, LogFormat};
+
+    /// Samples a second apart.
+    fn each_second(values: &[f64]) -> PlottedSeries {
+        field((0..values.len()).map(|i| (i as f64, values[i])))
+    }
+
+    #[test]
+    fn a_field_that_begins_with_zeros_keeps_the_digits_of_the_rest() {
+        let latitudes = [
+            47.397_742_0,
+            47.397_742_5,
+            47.397_743_0,
+            47.397_745_0,
+            47.397_748_0,
+        ];
+        let values = [&[0.0; 7], &latitudes[..]].concat();
+        let series = each_second(&values);
+        assert_eq!(series.at(0.0), Some(0.0));
+        for (i, latitude) in latitudes.iter().enumerate() {
+            let shown = series.at(7.0 + i as f64).unwrap();
+            assert!((shown - latitude).abs() < 1e-9, "{shown} of {latitude}");
+        }
+    }
+
+    #[test]
+    fn times_in_microseconds_after_a_zero_stay_apart() {
+        let stamps = (0..600_u32).map(|i| 1.6e15 + 1e6 * f64::from(i));
+        let values: Vec<f64> = std::iter::once(0.0).chain(stamps).collect();
+        let series = each_second(&values);
+        for (i, stamp) in values.iter().enumerate() {
+            // Half a unit in the last place of single precision for a difference of 300 to 434 seconds is 16 µs.
+            let shown = series.at(i as f64).unwrap();
+            assert!((shown - stamp).abs() <= 16.0, "{shown} of {stamp}");
+        }
+    }
 
     #[test]
     fn a_field_is_looked_for_again_once_more_was_read() {

@@ -87,7 +87,8 @@ pub(super) mod tests {
         let all = TimedSamples::in_order(samples, "m");
         let mut field = PlottedSeries::default();
         let name = SeriesName::expression("x");
-        field.take(&LogSeries::piece(&name, &all, 0, all.times.len()));
+        let base = LogSeries::base_of(&all);
+        field.take(&LogSeries::piece(&name, &all, base, 0, all.times.len()));
         field
     }
 
