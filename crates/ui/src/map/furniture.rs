@@ -1,8 +1,9 @@
 //! Scale bar, north arrow, cursor coordinates, and the lens that magnifies the uncertainty.
 
-use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 use pilotage_core::frames::{GroundPoint, LocalFrame};
-use pilotage_core::navigator::StepReport;
 
 use crate::documents::OpenedTerrain;
 use pilotage_core::imagery::terrain::Terrain as _;
@@ -121,12 +122,12 @@ pub fn height_text(p: &GroundPoint, ground: &OpenedTerrain, units: Units) -> Opt
 /// Content of the lens.
 #[derive(Clone, Copy, Debug)]
 pub struct LensScene<'a> {
-    /// The step that is shown.
-    pub step: &'a StepReport,
-    /// Its belief as it is drawn.
+    /// The belief as it is drawn.
     pub belief: &'a ShownBelief,
     /// True position, where it is to be shown.
     pub truth: Option<GroundPoint>,
+    /// Colour of the estimate.
+    pub color: Color32,
 }
 
 /// Draws a lens at `rect` that magnifies the surroundings of the estimate, so that the sigma points
@@ -140,15 +141,10 @@ pub fn paint_lens(
     tokens: &Tokens,
 ) {
     let LensScene {
-        step,
         belief,
         truth,
+        color,
     } = *scene;
-    let color = if step.is_placed() {
-        tokens.corrected
-    } else {
-        tokens.dead_reckoning
-    };
     let covariance = belief.covariance;
     let largest = covariance.diagonal().max().max(1e-6).sqrt();
     // Steps of a factor two, so that growth is seen as growth.

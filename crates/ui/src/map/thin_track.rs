@@ -4,6 +4,8 @@ use pilotage_core::flight::Truth;
 use pilotage_core::frames::{GroundPoint, GroundRect, wrap_pi};
 use pilotage_core::navigator::Run;
 
+use crate::views::DEAD_RECKONING_AFTER;
+
 /// A point of a thinned track.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThinnedPoint {
@@ -11,7 +13,7 @@ pub struct ThinnedPoint {
     pub time: f64,
     /// Place of the point.
     pub place: GroundPoint,
-    /// Whether anything told the place in the latest camera frame.
+    /// Whether anything told the place then or a moment before.
     pub corrected: bool,
 }
 
@@ -39,7 +41,8 @@ pub struct ThinTrack {
     generation: u64,
     level: i32,
     used: usize,
-    corrected: bool,
+    /// Time at which the place was told last, seconds.
+    placed: Option<f64>,
     points: Vec<ThinnedPoint>,
     /// The ground under each group of points and the line to the point behind it.
     groups: Vec<GroundRect>,
@@ -161,13 +164,14 @@ impl ThinTrack {
             run.steps.len(),
         );
         for step in &run.steps[self.used..] {
-            if step.frame.is_some() {
-                self.corrected = step.is_placed();
+            if step.is_placed() {
+                self.placed = Some(step.time);
             }
+            let is_known = |at: f64| step.time - at <= DEAD_RECKONING_AFTER;
             self.push(ThinnedPoint {
                 time: step.time,
                 place: place(step),
-                corrected: self.rough || self.corrected,
+                corrected: self.rough || self.placed.is_some_and(is_known),
             });
         }
         self.used = run.steps.len();
@@ -290,7 +294,11 @@ impl PointGroup<'_> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::DMatrix;
+
     use super::*;
+    use crate::views::fixture::{Fixture, reading_of_gps};
+    use crate::views::placed_lately;
 
     /// A bent course at 20 m/s with a sharp turn in the middle, corrected now and then.
     fn course() -> Vec<ThinnedPoint> {
@@ -355,6 +363,47 @@ mod tests {
             let at = course.partition_point(|p| p.time < middle);
             assert_eq!(course[at].corrected, pair[1].corrected, "at {middle}");
         }
+    }
+
+    /// Points of the track of a run, at a metre per point.
+    fn followed(run: &Run) -> Vec<ThinnedPoint> {
+        let mut track = ThinTrack::default();
+        track.follow_run(run, 1, 1.0, |step| step.after.position());
+        points(&track, -1.0)
+    }
+
+    #[test]
+    fn a_track_is_corrected_where_an_aid_tells_the_place_with_or_without_a_camera() {
+        let mut fixture = Fixture::lasting(40.0);
+        for (index, step) in fixture.run.steps.iter_mut().enumerate() {
+            step.frame = None;
+            // A reading a second.
+            if index.is_multiple_of(20) {
+                step.updates = vec![reading_of_gps(1.0, Some(DMatrix::zeros(4, 2)))];
+            }
+        }
+        let track = followed(&fixture.run);
+        assert!(track.len() > 10 && track.iter().all(|point| point.corrected));
+        for step in &mut fixture.run.steps {
+            step.updates = vec![reading_of_gps(40.0, None)];
+        }
+        assert!(followed(&fixture.run).iter().all(|point| !point.corrected));
+    }
+
+    #[test]
+    fn track_and_aircraft_turn_blue_two_seconds_after_the_last_correction() {
+        let mut run = Fixture::lasting(10.0).run;
+        for step in &mut run.steps {
+            step.frame = None;
+        }
+        run.steps[40].updates = vec![reading_of_gps(1.0, Some(DMatrix::zeros(4, 2)))];
+        let told = run.steps[40].time;
+        for point in followed(&run) {
+            let index = run.index_at(point.time).unwrap();
+            assert_eq!(point.corrected, placed_lately(&run, index), "{point:?}");
+        }
+        let at = |after: f64| placed_lately(&run, run.index_at(told + after).unwrap());
+        assert_eq!([-0.1, 0.0, 1.9, 2.1].map(at), [false, true, true, false]);
     }
 
     #[test]

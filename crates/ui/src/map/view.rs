@@ -28,6 +28,7 @@ use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::OpenedTerrain;
 use crate::shell::BELOW_HUD;
 use crate::tokens::Tokens;
+use crate::views::placed_lately;
 use pilotage_jobs::MapInfo;
 
 /// Most points of the screen that a pixel of the map is drawn across.
@@ -463,7 +464,7 @@ impl MapView {
                 Stroke::new(1.5, tokens.truth),
             );
         }
-        let color = status_color(frame_step, tokens);
+        let color = status_color(context);
         let covariance = belief.covariance;
         if shows(Layer::Ellipses) {
             paint_ellipses(painter, view, &belief.position, &covariance, color, tokens);
@@ -549,9 +550,9 @@ impl MapView {
             let truth = truth_at(context, step.time).filter(|_| self.layers.shows(Layer::Truth));
             self.cover(lens);
             let scene = LensScene {
-                step,
                 belief,
                 truth,
+                color: status_color(context),
             };
             paint_lens(painter, view, lens, &scene, context.units, tokens);
         }
@@ -578,11 +579,13 @@ fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {
     Some(GroundPoint::new(position.x, position.y))
 }
 
-/// Red when the latest frame corrected the estimate, blue while dead reckoning.
-fn status_color(frame_step: Option<&StepReport>, tokens: &Tokens) -> egui::Color32 {
-    if frame_step.is_some_and(StepReport::is_placed) {
-        tokens.corrected
+/// Red where anything told the place lately, blue while dead reckoning.
+fn status_color(context: &ViewContext<'_>) -> egui::Color32 {
+    let run = context.run;
+    let now = run.and_then(|run| Some((run, run.index_at(context.time)?)));
+    if now.is_some_and(|(run, index)| placed_lately(run, index)) {
+        context.tokens.corrected
     } else {
-        tokens.dead_reckoning
+        context.tokens.dead_reckoning
     }
 }

@@ -32,4 +32,5 @@ pub use matching::{MATCH, MatchCommand, MatchView};
 pub use plots::PlotsView;
 pub(crate) use plots::draw::{TimeCurve, line as curve_line, polylines as curve_points};
 pub(crate) use plots::pyramid::ExtentPyramid;
+pub(crate) use plots::{DEAD_RECKONING_AFTER, placed_lately};
 pub(crate) use time_axis::TimeAxis;

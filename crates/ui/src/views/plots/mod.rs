@@ -15,8 +15,8 @@ use crate::still::Still;
 use crate::timeline::paint_span;
 use crate::tokens::Tokens;
 use panel::{PanelKind, PlotLayer};
-pub(crate) use series::DEAD_RECKONING_AFTER;
 use series::RunSeries;
+pub(crate) use series::{DEAD_RECKONING_AFTER, placed_lately};
 
 /// Least height of an open panel's curves, points.
 const LEAST_HEIGHT: f32 = 64.0;

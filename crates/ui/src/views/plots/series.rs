@@ -13,6 +13,17 @@ const STEPS_PER_FRAME: usize = 20_000;
 /// Without a correction for this long, it is called dead reckoning, seconds.
 pub(crate) const DEAD_RECKONING_AFTER: f64 = 2.0;
 
+/// Whether anything told the place at step `index` of the run or a moment before: it is dead reckoning otherwise.
+pub(crate) fn placed_lately(run: &Run, index: usize) -> bool {
+    let Some(steps) = run.steps.get(..=index) else {
+        return false;
+    };
+    let now = steps[index].time;
+    let steps = steps.iter().rev();
+    let mut lately = steps.take_while(|step| now - step.time <= DEAD_RECKONING_AFTER);
+    lately.any(StepReport::is_placed)
+}
+
 /// Columns of the table of steps, SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepColumn {
