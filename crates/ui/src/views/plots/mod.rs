@@ -463,7 +463,7 @@ fn names_inside(
     let middle = axes.rect.top() + 0.5 * tokens.text_sizes[0] + 2.0;
     let mut right = axes.rect.right() - 0.5 * gap;
     for layer in layers.iter().rev().filter(|l| l.is_visible(axes)) {
-        let name = layer.name.to_owned();
+        let name = layer.name.clone();
         let galley = painter.layout_no_wrap(name, parts::small(tokens), tokens.muted);
         let rect = egui::Align2::RIGHT_CENTER.anchor_size(pos2(right, middle), galley.size());
         if rect.left() - sample < axes.rect.left() {
@@ -507,7 +507,7 @@ fn legend(
         .iter()
         .map(|(l, _)| {
             painter
-                .layout_no_wrap(l.name.to_owned(), parts::small(tokens), tokens.muted)
+                .layout_no_wrap(l.name.clone(), parts::small(tokens), tokens.muted)
                 .size()
                 .x
                 + 0.5 * gap
@@ -533,7 +533,7 @@ fn legend(
             let text = painter.text(
                 pos2(right, middle),
                 egui::Align2::RIGHT_CENTER,
-                layer.name,
+                &layer.name,
                 parts::small(tokens),
                 tokens.muted,
             );

@@ -134,29 +134,7 @@ impl PanelKind {
                     PlotLayer::line("estimate", steps(wind), tokens.corrected),
                 ]
             }
-            Self::Nis => {
-                let of = |column: FrameColumn| Self::curve(&series.frames, column as usize, factor);
-                let mut layers = vec![
-                    PlotLayer::band(
-                        "95 % bounds",
-                        of(FrameColumn::Low),
-                        of(FrameColumn::High),
-                        tokens.truth,
-                    ),
-                    PlotLayer::dots("NIS", of(FrameColumn::Nis), tokens.observed),
-                ];
-                if !series.aids.times.is_empty() {
-                    let of = |column: AidColumn| Self::curve(&series.aids, column as usize, factor);
-                    layers.push(PlotLayer::dots(
-                        "aids",
-                        of(AidColumn::Used),
-                        tokens.corrected,
-                    ));
-                    let refused = of(AidColumn::Refused);
-                    layers.push(PlotLayer::crosses("aids, refused", refused, tokens.refused));
-                }
-                layers
-            }
+            Self::Nis => Self::nis(series, tokens),
             Self::Innovations => {
                 let (value, sigma) = if north {
                     (InnovationColumn::Right, InnovationColumn::RightSigma)
@@ -179,6 +157,42 @@ impl PanelKind {
                 ]
             }
         }
+    }
+
+    /// NIS of pictures and of each aid, over the bounds that each has by its own degrees of freedom.
+    fn nis<'a>(series: &'a RunSeries, tokens: &Tokens) -> Vec<PlotLayer<'a>> {
+        let of = |column: FrameColumn| Self::curve(&series.frames, column as usize, 1.0);
+        let bounds = if series.aids.is_empty() {
+            "95 % bounds"
+        } else {
+            "pictures, 95 %"
+        };
+        let (low, high) = (of(FrameColumn::Low), of(FrameColumn::High));
+        let mut layers = vec![PlotLayer::band(bounds, low, high, tokens.truth)];
+        let mut dots = vec![PlotLayer::dots(
+            "NIS",
+            of(FrameColumn::Nis),
+            tokens.observed,
+        )];
+        let colors = [
+            tokens.corrected,
+            tokens.accent,
+            tokens.advice,
+            tokens.road,
+            tokens.dead_reckoning,
+        ];
+        for (readings, color) in series.aids.iter().zip(colors.into_iter().cycle()) {
+            let label = &readings.label;
+            let of = |column: AidColumn| Self::curve(&readings.table, column as usize, 1.0);
+            let (low, high) = (of(AidColumn::Low), of(AidColumn::High));
+            layers.push(PlotLayer::band(format!("{label}, 95 %"), low, high, color));
+            dots.push(PlotLayer::dots(label, of(AidColumn::Used), color));
+            let refused = of(AidColumn::Refused);
+            let name = format!("{label}, refused");
+            dots.push(PlotLayer::crosses(name, refused, tokens.refused));
+        }
+        layers.extend(dots);
+        layers
     }
 
     fn curve(table: &SeriesTable, column: usize, factor: f64) -> TimeCurve<'_> {
@@ -251,7 +265,7 @@ pub(crate) enum Style {
 
 /// Curve or band of a panel, with its name in the legend.
 pub(crate) struct PlotLayer<'a> {
-    pub name: &'static str,
+    pub name: String,
     pub curve: TimeCurve<'a>,
     /// Upper edge of a band.
     pub upper: Option<TimeCurve<'a>>,
@@ -260,9 +274,9 @@ pub(crate) struct PlotLayer<'a> {
 }
 
 impl<'a> PlotLayer<'a> {
-    fn new(name: &'static str, curve: TimeCurve<'a>, color: Color32, style: Style) -> Self {
+    fn new(name: impl Into<String>, curve: TimeCurve<'a>, color: Color32, style: Style) -> Self {
         Self {
-            name,
+            name: name.into(),
             curve,
             upper: None,
             color,
@@ -270,23 +284,28 @@ impl<'a> PlotLayer<'a> {
         }
     }
 
-    fn line(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
+    fn line(name: impl Into<String>, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Line)
     }
 
-    fn dashed(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
+    fn dashed(name: impl Into<String>, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Dashed)
     }
 
-    fn dots(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
+    fn dots(name: impl Into<String>, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Dots)
     }
 
-    fn crosses(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
+    fn crosses(name: impl Into<String>, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Crosses)
     }
 
-    fn band(name: &'static str, low: TimeCurve<'a>, high: TimeCurve<'a>, color: Color32) -> Self {
+    fn band(
+        name: impl Into<String>,
+        low: TimeCurve<'a>,
+        high: TimeCurve<'a>,
+        color: Color32,
+    ) -> Self {
         Self {
             upper: Some(high),
             ..Self::new(name, low, color, Style::Band)

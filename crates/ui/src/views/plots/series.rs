@@ -2,7 +2,7 @@
 
 use pilotage_core::filter::chi_square_interval;
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{Outcome, Run, StepReport};
+use pilotage_core::navigator::{AidInfo, Outcome, Run, StepReport, UpdateReport};
 use pilotage_core::vehicle::StateComponent;
 
 use super::pyramid::ExtentPyramid;
@@ -55,13 +55,15 @@ pub(crate) enum FrameColumn {
     High,
 }
 
-/// Columns of the table of aids beside pictures.
+/// Columns of the table of an aid beside pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum AidColumn {
     /// NIS of what corrected the estimate.
     Used,
     /// The same of what was refused.
     Refused,
+    Low,
+    High,
 }
 
 /// Columns of the tables of innovations, pixels.
@@ -103,6 +105,16 @@ impl SeriesTable {
     }
 }
 
+/// Readings of an aid over time, by [`AidColumn`].
+#[derive(Clone, Debug)]
+pub(crate) struct PlottedAid {
+    /// Name of the aid in files.
+    aid: String,
+    /// Name for people.
+    pub label: String,
+    pub table: SeriesTable,
+}
+
 /// Fingerprint that tells whether a run is still the one that was taken over.
 #[derive(Clone, Debug, PartialEq)]
 struct Fingerprint {
@@ -138,7 +150,7 @@ pub(crate) struct RunSeries {
     pub frames: SeriesTable,
     pub accepted: SeriesTable,
     pub refused: SeriesTable,
-    pub aids: SeriesTable,
+    pub aids: Vec<PlottedAid>,
     /// Stretches without a correction, seconds.
     pub gaps: Vec<(f64, f64)>,
     /// Another number whenever anything in here is another.
@@ -155,7 +167,7 @@ impl Default for RunSeries {
             frames: SeriesTable::new(3),
             accepted: SeriesTable::new(4),
             refused: SeriesTable::new(4),
-            aids: SeriesTable::new(2),
+            aids: Vec::new(),
             gaps: Vec::new(),
             revision: 0,
             last_correction: None,
@@ -242,27 +254,47 @@ impl RunSeries {
         self.steps.push(step.time, row);
         self.add_frame(step);
         for update in &step.updates {
-            let nis = Some(update.nis);
-            let row = if update.is_accepted() {
-                [nis, None]
-            } else {
-                [None, nis]
-            };
-            self.aids.push(step.time, row);
+            self.add_reading(step.time, update);
         }
         self.add_gap(step);
+    }
+
+    /// Bounds within which 95 % of an honest filter's NIS with so many degrees of freedom are.
+    fn bounds(&mut self, freedom: usize) -> (f64, f64) {
+        let known = self.bounds.get(&freedom).copied();
+        known.unwrap_or_else(|| {
+            let found = chi_square_interval(freedom as f64);
+            self.bounds.insert(freedom, found);
+            found
+        })
+    }
+
+    fn add_reading(&mut self, time: f64, update: &UpdateReport) {
+        let (low, high) = self.bounds(update.degrees_of_freedom);
+        let (nis, is_used) = (Some(update.nis), update.is_accepted());
+        let row = [
+            nis.filter(|_| is_used),
+            nis.filter(|_| !is_used),
+            Some(low),
+            Some(high),
+        ];
+        let place = self.aids.iter().position(|known| known.aid == update.aid);
+        let place = place.unwrap_or_else(|| {
+            let label = AidInfo::named(&update.aid).map_or(&*update.aid, |info| info.label);
+            self.aids.push(PlottedAid {
+                aid: update.aid.clone(),
+                label: label.to_owned(),
+                table: SeriesTable::new(4),
+            });
+            self.aids.len() - 1
+        });
+        self.aids[place].table.push(time, row);
     }
 
     fn add_frame(&mut self, step: &StepReport) {
         let Some(frame) = &step.frame else { return };
         if let Some(joint) = &frame.joint {
-            let freedom = joint.degrees_of_freedom;
-            let known = self.bounds.get(&freedom).copied();
-            let (low, high) = known.unwrap_or_else(|| {
-                let found = chi_square_interval(freedom as f64);
-                self.bounds.insert(freedom, found);
-                found
-            });
+            let (low, high) = self.bounds(joint.degrees_of_freedom);
             self.frames
                 .push(step.time, [Some(joint.nis), Some(low), Some(high)]);
         }
@@ -366,11 +398,41 @@ mod tests {
         }
         let mut series = RunSeries::default();
         series.update(Some(&fixture.run), Some(&fixture.flight));
-        assert_eq!(series.aids.times.len(), 2);
-        let of = |column: AidColumn, row| series.aids.column(column as usize).get(row);
+        let [gps] = &series.aids[..] else {
+            panic!("{:?}", series.aids);
+        };
+        assert_eq!((&*gps.label, gps.table.times.len()), ("GPS position", 2));
+        let of = |column: AidColumn, row| gps.table.column(column as usize).get(row);
         assert_eq!(of(AidColumn::Used, 0), Some(1.5));
         assert_eq!(of(AidColumn::Refused, 1), Some(40.0));
         assert!(of(AidColumn::Refused, 0).is_none_or(f32::is_nan));
+    }
+
+    #[test]
+    fn each_aid_has_the_bounds_of_its_own_count_of_numbers() {
+        let mut fixture = Fixture::lasting(15.0);
+        for step in &mut fixture.run.steps {
+            let reading = reading_of_gps(1.5, Some(DMatrix::zeros(4, 2)));
+            let range = UpdateReport {
+                aid: "ground-range".to_owned(),
+                degrees_of_freedom: 1,
+                ..reading.clone()
+            };
+            step.updates = vec![reading, range];
+        }
+        let mut series = RunSeries::default();
+        series.update(Some(&fixture.run), Some(&fixture.flight));
+        // From printed tables: chi-square of 2.5 % and 97.5 % with two degrees of freedom and with one.
+        let expected = [[0.0506, 7.378], [0.000_982, 5.024]];
+        assert_eq!(series.aids.len(), expected.len());
+        for (readings, expected) in series.aids.iter().zip(expected) {
+            let columns = [AidColumn::Low, AidColumn::High].into_iter().zip(expected);
+            for (column, expected) in columns {
+                let bound = readings.table.column(column as usize).get(7).unwrap();
+                let off = f64::from(bound) / expected - 1.0;
+                assert!(off.abs() < 1e-3, "{} {column:?}: {bound}", readings.label);
+            }
+        }
     }
 
     #[test]
