@@ -6,7 +6,7 @@ use egui::{
 
 use pilotage_core::navigator::Run;
 
-use super::bins::Bins;
+use super::bins::{Bins, CorrectionCounts};
 use super::playback::Playback;
 use super::selected::{Span, SpanPointer, TimeOnScreen, paint_span};
 use crate::command::Command;
@@ -169,11 +169,11 @@ fn paint_bins(shapes: &mut Vec<Shape>, bins: &Bins, track: Rect, tokens: &Tokens
     }
     for (index, bin) in bins.bins().iter().enumerate() {
         let x = track.left() + index as f32 + 0.5;
-        if bin.accepted > 0 {
+        if bin.corrections.accepted > 0 {
             let stroke = Stroke::new(1.0, tokens.observed.gamma_multiply(0.85));
             shapes.push(Shape::vline(x, top..=top + 7.0, stroke));
         }
-        if bin.refused > 0 {
+        if bin.corrections.refused > 0 {
             let color = tokens.refused.gamma_multiply(0.85);
             shapes.push(Shape::circle_filled(pos2(x, top + 11.0), 1.2, color));
         }
@@ -288,13 +288,8 @@ fn paint_hover(
     } else if let Some(step) = step.filter(|s| (s.time - time).abs() < 2.0) {
         let radius = context.units.short(step.radius_held());
         text = format!("{text}   within {radius} (95 %)");
-        if let Some(frame) = context
-            .run
-            .and_then(|r| r.frame_step_at(time))
-            .and_then(|s| s.frame.as_ref())
-        {
-            let accepted = frame.accepted().count();
-            let refused = frame.candidates.len() - accepted;
+        let counts = context.run.and_then(|run| CorrectionCounts::at(run, time));
+        if let Some(CorrectionCounts { accepted, refused }) = counts {
             text = format!("{text}   {accepted} accepted, {refused} refused");
         }
     }

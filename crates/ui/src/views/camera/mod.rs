@@ -293,8 +293,11 @@ fn describe(
         .map(|c| picking::landmark_name(run, c.landmark))
         .collect();
     let refused = report.candidates.len() - accepted.len();
-    if !sightings.is_empty() && report.candidates.is_empty() {
-        let told: Vec<String> = sightings.iter().map(sighted::summary).collect();
+    let is_whole = report.joint.is_some() && accepted.is_empty();
+    let whole = is_whole.then(|| "used as a whole".to_owned());
+    let seen = sightings.iter().map(sighted::summary);
+    let told: Vec<String> = whole.into_iter().chain(seen).collect();
+    if !told.is_empty() && report.candidates.is_empty() {
         return format!("Camera picture {name}: {}", told.join("; "));
     }
     if accepted.is_empty() {

@@ -120,3 +120,16 @@ fn a_frame_with_a_used_landmark_is_described_by_its_name() {
     harness.run();
     harness.get_by_label_contains("Church used");
 }
+
+#[test]
+fn a_frame_whose_place_as_a_whole_was_used_is_not_called_unused() {
+    let (time, _) = telling_time(&Fixture::lasting(20.0));
+    let mut harness = harness(time);
+    for step in &mut harness.state_mut().fixture.run.steps {
+        if let Some(frame) = &mut step.frame {
+            frame.candidates.clear();
+        }
+    }
+    harness.run();
+    harness.get_by_label_contains("used as a whole");
+}
