@@ -19,3 +19,12 @@ pub(super) fn judged(run: &Run) -> impl Iterator<Item = (usize, &CandidateReport
             .filter_map(move |c| Some((i, c, c.nis?)))
     })
 }
+
+/// Words on a run that is told its place by anything but landmarks.
+pub(super) fn no_landmark(run: &Run) -> Option<&'static str> {
+    let by_landmarks = run.steps.iter().any(|step| best_accepted(step).is_some());
+    let is_placed = !by_landmarks && run.steps.iter().any(StepReport::is_placed);
+    is_placed.then_some(
+        "Whole pictures or aids tell this run its place, and no landmark has corrected it so far: there is nothing to see here.",
+    )
+}

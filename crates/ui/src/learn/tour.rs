@@ -16,6 +16,9 @@ use crate::views::parts;
 /// Page of the lessons, beside that of the app.
 pub(super) const LESSONS: &str = "./learn.html";
 
+/// Words in the place of a moment that the run does not have.
+const NOT_YET: &str = "The run on screen has no such moment, or has not come to it yet. Let it go on, or see the next stop.";
+
 /// The tour's own state: at which stop it is.
 pub(super) struct Tour {
     /// The stops.
@@ -23,8 +26,8 @@ pub(super) struct Tour {
     number: usize,
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
-    /// The moment of this stop, and for how many steps of the run it was looked up.
-    found: Option<(usize, Option<TourMoment>)>,
+    /// The moment of this stop or words on why there is none, and for how many steps of the run it was looked up.
+    found: Option<(usize, Result<TourMoment, &'static str>)>,
     /// Number of changes of the settings made here that can be taken back.
     edited: usize,
     /// Number of the screen's frame in which the tour was drawn last.
@@ -104,15 +107,20 @@ impl Tour {
         if self.found.as_ref().is_some_and(|(seen, _)| *seen == steps) {
             return;
         }
+        let lesson = self.current();
         let moment = context
             .run
-            .and_then(|run| self.current().find(run, context.flight, context.units));
+            .ok_or("There is no run yet. Open the demo to take the tour over it.")
+            .and_then(|run| {
+                let moment = lesson.find(run, context.flight, context.units);
+                moment.ok_or_else(|| lesson.missing(run).unwrap_or(NOT_YET))
+            });
         self.found = Some((steps, moment));
     }
 
     /// Brings the cursor to the moment and pauses, once per stop.
     fn arrive(&mut self, context: &mut ViewContext<'_>) {
-        let Some((_, Some(moment))) = &self.found else {
+        let Some((_, Ok(moment))) = &self.found else {
             return;
         };
         if self.arrived {
@@ -145,21 +153,18 @@ impl Tour {
                 .font(tokens.large())
                 .color(tokens.text),
         );
-        let moment = self.found.as_ref().and_then(|(_, moment)| moment.clone());
-        let Some(moment) = moment else {
-            let text = match context.run {
-                None => "There is no run yet. Open the demo to take the tour over it.",
-                Some(run) => lesson.missing(run).unwrap_or(
-                    "The run on screen has no such moment, or has not come to it yet. Let it go on, or see the next stop.",
-                ),
-            };
-            ui.label(
-                RichText::new(text)
-                    .size(tokens.text_sizes[1])
-                    .color(tokens.muted),
-            );
-            self.take_back(ui, context);
-            return;
+        let found = self.found.clone().map_or(Err(NOT_YET), |(_, found)| found);
+        let moment = match found {
+            Ok(moment) => moment,
+            Err(text) => {
+                ui.label(
+                    RichText::new(text)
+                        .size(tokens.text_sizes[1])
+                        .color(tokens.muted),
+                );
+                self.take_back(ui, context);
+                return;
+            }
         };
         ui.label(
             RichText::new(&moment.text)

@@ -31,7 +31,7 @@ impl Lesson for Alpha {
     }
 
     fn find(&self, run: &Run, _flight: Option<&Flight>, _units: Units) -> Option<TourMoment> {
-        let index = run.steps.iter().position(StepReport::corrected)?;
+        let index = run.steps.iter().position(StepReport::is_placed)?;
         let text = format!(
             "α sets how far the sigma points stand from the middle; this run uses {}. \
              Drag it below: the points move, but the mean and ellipse that they give hardly change as long as the curve they go through is gentle.",

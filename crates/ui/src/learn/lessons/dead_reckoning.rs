@@ -1,11 +1,11 @@
-//! A stretch without a landmark.
+//! A stretch in which nothing tells the place.
 
 use egui::{Align2, Pos2, Rect, Stroke, vec2};
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{NavigatorSettings, Run};
+use pilotage_core::navigator::{NavigatorSettings, Run, UpdateReport};
 
 use super::super::figure::Figure;
-use super::super::gap::longest_gap;
+use super::super::gap::{Gap, longest_gap, no_gap};
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -13,7 +13,7 @@ use crate::units::Units;
 use crate::views::inspector::sentence::sigma;
 use crate::views::parts::figures;
 
-/// The longest stretch without a landmark.
+/// The longest stretch in which nothing tells the place.
 #[derive(Default)]
 pub(super) struct DeadReckoning;
 
@@ -23,23 +23,29 @@ impl Lesson for DeadReckoning {
     }
 
     fn find(&self, run: &Run, _flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
-        let (from, to) = longest_gap(run)?;
-        let middle = usize::midpoint(from, to);
-        let (start, end) = (&run.steps[from], &run.steps[to]);
-        let elapsed = end.time - start.time;
+        let Gap { from, last, end } = longest_gap(run, |_| true)?;
+        let middle = usize::midpoint(from, end);
+        let start = &run.steps[from];
+        let lasting = run.steps[end].time - start.time;
         let (factor, unit) = units.length();
-        let before_end = if end.corrected() {
-            &end.predicted
+        let grown = sigma(&run.steps[last].after) - sigma(&start.after);
+        let rate = factor * grown / (run.steps[last].time - start.time);
+        let mut updates = run.steps[from + 1..=last].iter().flat_map(|s| &s.updates);
+        let alone = if updates.any(UpdateReport::is_accepted) {
+            "with what aids say that do not tell the place"
         } else {
-            &end.after
+            "and nothing else"
         };
-        let rate = factor * (sigma(before_end) - sigma(&start.after)) / elapsed.max(1e-9);
         let text = format!(
-            "For {elapsed:.1} seconds no landmark corrects the estimate: the filter adds up airspeed, heading and the wind it believes in, and nothing else. \
+            "For {lasting:.1} seconds nothing tells the place: the filter adds up airspeed, heading and the wind it believes in, {alone}. \
              The track turns blue and the uncertainty grows by about {} {unit} each second.",
             figures(rate)
         );
         Some(TourMoment::new(run, middle, text).from(start.time))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_gap(run)
     }
 
     // The position's σ over time: a sawtooth, with the gap shaded.
@@ -60,8 +66,8 @@ impl Lesson for DeadReckoning {
             .map(|s| sigma(&s.after))
             .fold(0.0, f64::max);
         let axes = figure.axes(span, (0.0, 1.1 * factor * highest));
-        if let Some((from, to)) = longest_gap(run) {
-            let x = axes.screen_x(run.steps[from].time)..=axes.screen_x(run.steps[to].time);
+        if let Some(Gap { from, end, .. }) = longest_gap(run, |_| true) {
+            let x = axes.screen_x(run.steps[from].time)..=axes.screen_x(run.steps[end].time);
             let shade = Rect::from_x_y_ranges(x, axes.rect.y_range());
             painter.rect_filled(shade, 0.0, tokens.dead_reckoning.gamma_multiply(0.18));
         }
@@ -75,7 +81,7 @@ impl Lesson for DeadReckoning {
         let stroke = Stroke::new(1.0, tokens.accent);
         painter.vline(axes.screen_x(time), axes.rect.y_range(), stroke);
         let at = rect.left_top() + vec2(tokens.space, 0.5 * tokens.space);
-        let text = format!("1σ of the position, {unit}; blue: no landmark");
+        let text = format!("1σ of the position, {unit}; blue: dead reckoning");
         figure.caption(at, Align2::LEFT_TOP, &text, tokens.muted);
     }
 

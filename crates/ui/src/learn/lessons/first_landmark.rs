@@ -1,9 +1,9 @@
 //! The first landmark that is found: what the filter learns from the camera.
 
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
+use pilotage_core::navigator::{NavigatorSettings, Run};
 
-use super::super::candidates::best_accepted;
+use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
 use super::super::found;
 use super::super::lesson::Lesson;
@@ -23,8 +23,9 @@ impl Lesson for FirstLandmark {
     }
 
     fn find(&self, run: &Run, _flight: Option<&Flight>, _units: Units) -> Option<TourMoment> {
-        let index = run.steps.iter().position(StepReport::corrected)?;
-        let candidate = best_accepted(&run.steps[index])?;
+        let mut steps = run.steps.iter().enumerate();
+        let (index, candidate) =
+            steps.find_map(|(index, step)| Some((index, best_accepted(step)?)))?;
         let name = picking::landmark_name(run, candidate.landmark);
         let distance = candidate.innovation.map_or(0.0, |v| v.norm());
         let text = format!(
@@ -34,6 +35,10 @@ impl Lesson for FirstLandmark {
             figures(distance)
         );
         Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_landmark(run)
     }
 
     fn draw(&self, figure: &Figure<'_>) {
@@ -47,6 +52,8 @@ impl Lesson for FirstLandmark {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::navigator::StepReport;
+
     use super::*;
     use crate::views::fixture::Fixture;
 

@@ -5,7 +5,7 @@ use nalgebra::Vector2;
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{CandidateReport, NavigatorSettings, Outcome, Run};
 
-use super::super::candidates::judged;
+use super::super::candidates::{judged, no_landmark};
 use super::super::figure::Figure;
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
@@ -36,6 +36,10 @@ impl Lesson for Gate {
             figures(nis)
         );
         Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_landmark(run)
     }
 
     // Every innovation of the run in units of its own σ, inside and outside the gate's circle.

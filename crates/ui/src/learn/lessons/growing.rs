@@ -1,11 +1,12 @@
-//! Sigma points that drift apart without a landmark.
+//! Sigma points that drift apart while nothing tells the place.
 
 use egui::{Align2, pos2, vec2};
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{NavigatorSettings, Run};
 
+use super::super::candidates::judged;
 use super::super::figure::Figure;
-use super::super::gap::longest_gap;
+use super::super::gap::{Gap, longest_gap, no_gap};
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
 use super::super::sigma_points::{reach, sigma_set};
@@ -15,7 +16,7 @@ use crate::units::Units;
 use crate::views::inspector::sentence::sigma;
 use crate::views::parts::figures;
 
-/// The end of the longest stretch without a landmark.
+/// The end of the longest stretch of dead reckoning.
 #[derive(Default)]
 pub(super) struct Growing;
 
@@ -25,20 +26,24 @@ impl Lesson for Growing {
     }
 
     fn find(&self, run: &Run, _flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
-        let (from, to) = longest_gap(run)?;
-        let last = if run.steps[to].corrected() {
-            to.saturating_sub(1).max(from)
-        } else {
-            to
-        };
+        let Gap { from, last, .. } = longest_gap(run, |_| true)?;
         let (factor, unit) = units.length();
+        let search = if judged(run).next().is_some() {
+            ", and widens its search for the next landmark"
+        } else {
+            ""
+        };
         let text = format!(
             "Every sigma point flies on with its own guess of the wind, so that they drift apart: the 1σ has grown from {} to {} {unit}. \
-             Nothing went wrong here: the filter honestly says how little it knows by now, and widens its search for the next landmark.",
+             Nothing went wrong here: the filter honestly says how little it knows by now{search}.",
             figures(factor * sigma(&run.steps[from].after)),
             figures(factor * sigma(&run.steps[last].after))
         );
         Some(TourMoment::new(run, last, text).from(run.steps[from].time))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_gap(run)
     }
 
     // Sigma points at four times of the gap, side by side at one scale.

@@ -40,9 +40,12 @@ lessons! {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::DMatrix;
+    use pilotage_core::navigator::UpdateReport;
+
     use super::*;
     use crate::units::Units;
-    use crate::views::fixture::Fixture;
+    use crate::views::fixture::{Fixture, reading_of_gps};
 
     #[test]
     fn stops_and_lessons_lead_to_each_other() {
@@ -62,6 +65,75 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Titles of the stops that find nothing in a run, none without words on why.
+    fn missing(fixture: &Fixture) -> Vec<&'static str> {
+        let run = &fixture.run;
+        let lessons = all();
+        let empty = lessons.iter().filter(|lesson| {
+            let moment = lesson.find(run, Some(&fixture.flight), Units::Metric);
+            moment.is_none()
+        });
+        let named = empty.map(|lesson| {
+            assert!(lesson.missing(run).is_some(), "{}", lesson.title());
+            lesson.title()
+        });
+        named.collect()
+    }
+
+    #[test]
+    fn a_run_that_an_aid_places_all_the_time_has_no_dead_reckoning() {
+        let mut fixture = Fixture::new();
+        for step in &mut fixture.run.steps {
+            let gain = DMatrix::zeros(4, 2);
+            step.updates = vec![reading_of_gps(1.0, Some(gain))];
+        }
+        let expected = [
+            "Nothing in view: dead reckoning",
+            "The sigma points spread",
+            "Found again",
+        ];
+        assert_eq!(missing(&fixture), expected);
+    }
+
+    #[test]
+    fn nothing_is_said_of_landmarks_where_whole_pictures_correct() {
+        let mut fixture = Fixture::new();
+        for step in &mut fixture.run.steps {
+            if let Some(frame) = &mut step.frame {
+                frame.candidates.clear();
+            }
+        }
+        let expected = [
+            "A landmark is found",
+            "The sigma points draw together",
+            "The gate: how far off is too far",
+            "A match is refused",
+            "Found again",
+            "Does the filter know how wrong it is?",
+        ];
+        assert_eq!(missing(&fixture), expected);
+    }
+
+    #[test]
+    fn a_stretch_with_readings_that_do_not_tell_the_place_does_not_go_by_the_wind_alone() {
+        let mut fixture = Fixture::new();
+        let told = |fixture: &Fixture| {
+            let lesson = dead_reckoning::DeadReckoning;
+            let moment = lesson.find(&fixture.run, None, Units::Metric);
+            moment.unwrap().text
+        };
+        assert!(told(&fixture).contains("and nothing else"));
+        for step in &mut fixture.run.steps {
+            let reading = reading_of_gps(1.0, Some(DMatrix::zeros(4, 2)));
+            step.updates = vec![UpdateReport {
+                aid: "gps-velocity".to_owned(),
+                ..reading
+            }];
+        }
+        let text = told(&fixture);
+        assert!(!text.contains("nothing else"), "{text}");
     }
 
     #[test]

@@ -1,12 +1,12 @@
-//! The landmark that ends the longest stretch without one.
+//! The landmark that ends the longest stretch of dead reckoning that a landmark ends.
 
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{NavigatorSettings, Run};
+use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
 
-use super::super::candidates::best_accepted;
+use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
 use super::super::found;
-use super::super::gap::longest_gap;
+use super::super::gap::{Gap, longest_gap, no_gap};
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -15,7 +15,7 @@ use crate::views::inspector::sentence::sigma;
 use crate::views::parts::figures;
 use crate::views::picking;
 
-/// The landmark after the longest stretch without one.
+/// The landmark after the longest stretch of dead reckoning.
 #[derive(Default)]
 pub(super) struct Reacquired;
 
@@ -25,30 +25,26 @@ impl Lesson for Reacquired {
     }
 
     fn find(&self, run: &Run, _flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
-        let (from, to) = longest_gap(run)?;
-        let step = &run.steps[to];
-        if !step.corrected() {
-            return None;
-        }
-        let name =
-            best_accepted(step).map(|c| (c.landmark, picking::landmark_name(run, c.landmark)));
+        let Gap { from, end, .. } = longest_gap(run, is_found_again)?;
+        let step = &run.steps[end];
+        let found = best_accepted(step)?.landmark;
         let (factor, unit) = units.length();
         let shift = factor * step.after.position().distance(&step.predicted.position());
         let text = format!(
-            "After {:.1} seconds {} comes into view where the widened search expects it, and the estimate jumps {} {unit} back. \
+            "After {:.1} seconds “{}” comes into view where the widened search expects it, and the estimate jumps {} {unit} back. \
              The 1σ falls from {} to {} {unit}, and the wind that was believed in meanwhile is corrected as well.",
             step.time - run.steps[from].time,
-            name.as_ref()
-                .map_or_else(|| "a landmark".to_owned(), |n| format!("“{}”", n.1)),
+            picking::landmark_name(run, found),
             figures(shift),
             figures(factor * sigma(&step.predicted)),
             figures(factor * sigma(&step.after))
         );
-        Some(
-            TourMoment::new(run, to, text)
-                .from(run.steps[from].time)
-                .landmark(name.map(|n| n.0)),
-        )
+        let moment = TourMoment::new(run, end, text).from(run.steps[from].time);
+        Some(moment.landmark(Some(found)))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_landmark(run).or_else(|| no_gap(run))
     }
 
     fn draw(&self, figure: &Figure<'_>) {
@@ -58,6 +54,11 @@ impl Lesson for Reacquired {
     fn trial(&self, moment: &TourMoment, _settings: &NavigatorSettings) -> TourTrial {
         TourTrial::play("Watch the last two seconds before", moment.time - 2.0)
     }
+}
+
+/// Whether a landmark corrected the estimate in this step, and made it surer.
+fn is_found_again(step: &StepReport) -> bool {
+    best_accepted(step).is_some() && sigma(&step.after) < sigma(&step.predicted)
 }
 
 #[cfg(test)]

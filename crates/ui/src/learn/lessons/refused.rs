@@ -4,6 +4,7 @@ use egui::{Align2, Rect, Stroke, pos2, vec2};
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{CandidateReport, NavigatorSettings, Outcome, Refusal, Run};
 
+use super::super::candidates::no_landmark;
 use super::super::figure::Figure;
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
@@ -81,6 +82,10 @@ impl Lesson for Refused {
             100.0 * run.settings.detector.greatest_ambiguity
         );
         Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_landmark(run)
     }
 
     // Score, ambiguity and NIS of the refused match as bars with their limits.

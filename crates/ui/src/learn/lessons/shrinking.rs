@@ -2,9 +2,9 @@
 
 use egui::{Stroke, vec2};
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{NavigatorSettings, Run};
+use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
 
-use super::super::candidates::best_accepted;
+use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
@@ -24,17 +24,13 @@ impl Lesson for Shrinking {
         "The sigma points draw together"
     }
 
-    // The correction that shrank σ by the largest factor.
+    // The correction by landmarks that shrank σ by the largest factor.
     fn find(&self, run: &Run, _flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
-        let index = (0..run.steps.len())
-            .filter(|i| run.steps[*i].corrected())
-            .max_by(|a, b| {
-                let ratio = |i: usize| {
-                    sigma(&run.steps[i].predicted) / sigma(&run.steps[i].after).max(1e-9)
-                };
-                ratio(*a).total_cmp(&ratio(*b))
-            })?;
-        let step = &run.steps[index];
+        let ratio = |step: &StepReport| sigma(&step.predicted) / sigma(&step.after).max(1e-9);
+        let steps = run.steps.iter().enumerate();
+        let (index, step) = steps
+            .filter(|(_, step)| best_accepted(step).is_some() && ratio(step) > 1.0)
+            .max_by(|a, b| ratio(a.1).total_cmp(&ratio(b.1)))?;
         let (factor, unit) = units.length();
         let text = format!(
             "The sigma points are a handful of guesses that together stand for how unsure the filter is; each is asked where the landmark would appear. \
@@ -43,6 +39,10 @@ impl Lesson for Shrinking {
             figures(factor * sigma(&step.after))
         );
         Some(TourMoment::new(run, index, text).landmark(best_accepted(step).map(|c| c.landmark)))
+    }
+
+    fn missing(&self, run: &Run) -> Option<&'static str> {
+        no_landmark(run)
     }
 
     // Sigma points before and after the correction.

@@ -50,7 +50,7 @@ impl Lesson for Wind {
             let index = first_below(run, start, error)?;
             let text = format!(
                 "No instrument measures the wind, yet by now its error has fallen from {} to {} {unit}. \
-                 Each time a landmark shows that the aircraft has drifted, the filter blames the wind in proportion, because position and wind err together.",
+                 Each time a correction shows that the aircraft has drifted, the filter blames the wind in proportion, because position and wind err together.",
                 figures(factor * start),
                 figures(factor * error(&run.steps[index]).unwrap_or(0.0))
             );
@@ -60,7 +60,7 @@ impl Lesson for Wind {
             let index = first_below(run, start, |s| Some(spread(s)))?;
             let text = format!(
                 "No instrument measures the wind, yet by now its uncertainty has fallen from {} to {} {unit}. \
-                 Each time a landmark shows that the aircraft has drifted, the filter blames the wind in proportion, because position and wind err together.",
+                 Each time a correction shows that the aircraft has drifted, the filter blames the wind in proportion, because position and wind err together.",
                 figures(factor * start),
                 figures(factor * spread(&run.steps[index]))
             );

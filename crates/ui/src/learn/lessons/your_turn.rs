@@ -70,6 +70,11 @@ impl Lesson for YourTurn {
         );
         let heading = "looks: used (blue) / refused (orange)";
         figure.caption(corner, Align2::RIGHT_TOP, heading, tokens.muted);
+        if rows.is_empty() {
+            let words = "this run looked for no landmark";
+            figure.caption(rect.center(), Align2::CENTER_CENTER, words, tokens.muted);
+            return;
+        }
         for (i, (id, used, refused)) in rows.iter().enumerate() {
             let y = rect.top() + tokens.space + head + (i as f32 + 0.5) * height;
             let name = picking::landmark_name(run, *id);
