@@ -41,6 +41,8 @@ pub(super) struct Figure<'a> {
     pub moment: &'a TourMoment,
     /// The time cursor, seconds in the flight's time base.
     pub time: f64,
+    /// Time at which every clock on the page stands at zero.
+    pub clock_zero: f64,
 }
 
 /// Has `draw` draw the figure of the stop called `title` into `room` points of height, more or less.
@@ -73,6 +75,7 @@ pub(super) fn place(
         step,
         moment,
         time: context.time,
+        clock_zero: context.clock_zero,
     });
 }
 

@@ -11,6 +11,7 @@ struct State {
     fixture: Fixture,
     tour: Tour,
     playing: bool,
+    clock_zero: f64,
     commands: Vec<Command>,
 }
 
@@ -19,10 +20,15 @@ fn harness() -> Harness<'static, State> {
 }
 
 fn harness_while(playing: bool) -> Harness<'static, State> {
+    harness_over(Fixture::new(), playing, 0.0)
+}
+
+fn harness_over(fixture: Fixture, playing: bool, clock_zero: f64) -> Harness<'static, State> {
     let state = State {
-        fixture: Fixture::new(),
+        fixture,
         tour: Tour::default(),
         playing,
+        clock_zero,
         commands: Vec::new(),
     };
     Harness::builder().with_size([360.0, 460.0]).build_ui_state(
@@ -30,7 +36,8 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
             let fixture = &state.fixture;
             let mut context = ViewContext {
                 playing: state.playing,
-                ..fixture.context(5.0, &mut state.commands)
+                clock_zero: state.clock_zero,
+                ..fixture.context(state.clock_zero + 5.0, &mut state.commands)
             };
             state.tour.show(ui, &mut context);
         },
@@ -147,4 +154,29 @@ fn figures_say_how_large_they_are_and_what_is_asked_of_a_match() {
 fn is_length(words: &str) -> bool {
     let number = words.strip_suffix(" m");
     number.is_some_and(|number| number.parse::<f64>().is_ok())
+}
+
+/// Words that the stop of a link paints over a run.
+fn painted_at(stop: &str, fixture: Fixture, clock_zero: f64) -> Vec<String> {
+    let mut harness = harness_over(fixture, false, clock_zero);
+    let number = super::lessons::linked(stop).unwrap();
+    harness.state_mut().tour.go_to(number);
+    harness.run();
+    painted(&harness)
+}
+
+#[test]
+fn figures_over_time_go_by_the_clock_of_the_page() {
+    for stop in ["dead-reckoning", "wind"] {
+        let mut late = Fixture::new();
+        let states = late.flight.truth.iter_mut().flat_map(|it| &mut it.states);
+        let times = states.map(|state| &mut state.time);
+        let steps = late.run.steps.iter_mut().map(|step| &mut step.time);
+        for time in times.chain(steps) {
+            *time += 1024.0;
+        }
+        let expected = painted_at(stop, Fixture::new(), 0.0);
+        assert!(expected.iter().any(|it| it == "time, s"), "{expected:?}");
+        assert_eq!(painted_at(stop, late, 1024.0), expected);
+    }
 }

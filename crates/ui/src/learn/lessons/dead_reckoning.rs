@@ -72,7 +72,7 @@ impl Lesson for DeadReckoning {
             painter.rect_filled(shade, 0.0, tokens.dead_reckoning.gamma_multiply(0.18));
         }
         axes.draw_y(painter, tokens);
-        axes.draw_x(painter, tokens, "s");
+        axes.draw_time(painter, tokens, figure.clock_zero);
         let curve: Vec<Pos2> = figure
             .thinned()
             .map(|s| axes.at(s.time, factor * sigma(&s.after)))

@@ -103,7 +103,7 @@ impl Lesson for Wind {
         let Some(span) = run.span() else { return };
         let axes = figure.axes(span, (extent.0 - 0.5, extent.1 + 0.5));
         axes.draw_y(painter, tokens);
-        axes.draw_x(painter, tokens, "s");
+        axes.draw_time(painter, tokens, figure.clock_zero);
         let curve = |f: &dyn Fn(&StepReport) -> Option<f64>| -> Vec<Pos2> {
             figure
                 .thinned()
