@@ -1,6 +1,7 @@
 //! The longest stretch of a run in which nothing told the place.
 
 use pilotage_core::navigator::{Run, StepReport};
+use pilotage_core::vehicle::StateComponent;
 
 use crate::views::DEAD_RECKONING_AFTER;
 use crate::views::inspector::sentence::sigma;
@@ -48,6 +49,11 @@ pub(super) fn no_gap(run: &Run) -> Option<&'static str> {
         "This run has no stretch of dead reckoning so far: something tells the place again within two seconds, or keeps \
          the uncertainty from growing.",
     )
+}
+
+/// Whether the filter of a run estimates the wind: the position errs by the wind's error then.
+pub(super) fn estimates_wind(run: &Run) -> bool {
+    run.state_index(StateComponent::WindNorth).is_some()
 }
 
 #[cfg(test)]

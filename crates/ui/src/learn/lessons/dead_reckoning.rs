@@ -2,10 +2,10 @@
 
 use egui::{Align2, Pos2, Rect, Stroke, vec2};
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{NavigatorSettings, Run, UpdateReport};
+use pilotage_core::navigator::{NavigatorSettings, Run, UpdateReport, VehicleChoice};
 
 use super::super::figure::Figure;
-use super::super::gap::{Gap, longest_gap, no_gap};
+use super::super::gap::{Gap, estimates_wind, longest_gap, no_gap};
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -36,8 +36,14 @@ impl Lesson for DeadReckoning {
         } else {
             "and nothing else"
         };
+        let is_by_air = estimates_wind(run) && run.settings.vehicle != VehicleChoice::Multirotor;
+        let reckons = if is_by_air {
+            "adds up airspeed, heading and the wind it believes in"
+        } else {
+            "goes on as its model of the vehicle does"
+        };
         let text = format!(
-            "For {lasting:.1} seconds nothing tells the place: the filter adds up airspeed, heading and the wind it believes in, {alone}. \
+            "For {lasting:.1} seconds nothing tells the place: the filter {reckons}, {alone}. \
              The track turns blue and the uncertainty grows by about {} {unit} each second.",
             figures(rate)
         );

@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 
 use super::super::candidates::judged;
 use super::super::figure::Figure;
-use super::super::gap::{Gap, longest_gap, no_gap};
+use super::super::gap::{Gap, estimates_wind, longest_gap, no_gap};
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
 use super::super::sigma_points::{reach, sigma_set};
@@ -33,8 +33,13 @@ impl Lesson for Growing {
         } else {
             ""
         };
+        let flies = if estimates_wind(run) {
+            "flies on with its own guess of the wind"
+        } else {
+            "goes on by its own guess of the vehicle's motion"
+        };
         let text = format!(
-            "Every sigma point flies on with its own guess of the wind, so that they drift apart: the 1σ has grown from {} to {} {unit}. \
+            "Every sigma point {flies}, so that they drift apart: the 1σ has grown from {} to {} {unit}. \
              Nothing went wrong here: the filter honestly says how little it knows by now{search}.",
             figures(factor * sigma(&run.steps[from].after)),
             figures(factor * sigma(&run.steps[last].after))

@@ -137,6 +137,21 @@ mod tests {
     }
 
     #[test]
+    fn nothing_is_said_of_a_wind_that_the_filter_does_not_estimate() {
+        let mut fixture = Fixture::new();
+        let told = |fixture: &Fixture| {
+            let lessons = all().into_iter();
+            let found = lessons.filter_map(|lesson| lesson.find(&fixture.run, None, Units::Metric));
+            let told = found.filter(|moment| moment.text.contains(" wind"));
+            told.count()
+        };
+        // Learned, reckoned with, guessed, corrected.
+        assert_eq!(told(&fixture), 4);
+        fixture.run.state_names.clear();
+        assert_eq!(told(&fixture), 0);
+    }
+
+    #[test]
     fn every_lesson_finds_its_moment_in_a_whole_flight() {
         let fixture = Fixture::new();
         let run = &fixture.run;

@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
 use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
 use super::super::found;
-use super::super::gap::{Gap, longest_gap, no_gap};
+use super::super::gap::{Gap, estimates_wind, longest_gap, no_gap};
 use super::super::lesson::Lesson;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -30,9 +30,14 @@ impl Lesson for Reacquired {
         let found = best_accepted(step)?.landmark;
         let (factor, unit) = units.length();
         let shift = factor * step.after.position().distance(&step.predicted.position());
+        let wind = if estimates_wind(run) {
+            ", and the wind that was believed in meanwhile is corrected as well"
+        } else {
+            ""
+        };
         let text = format!(
             "After {:.1} seconds “{}” comes into view where the widened search expects it, and the estimate jumps {} {unit} back. \
-             The 1σ falls from {} to {} {unit}, and the wind that was believed in meanwhile is corrected as well.",
+             The 1σ falls from {} to {} {unit}{wind}.",
             step.time - run.steps[from].time,
             picking::landmark_name(run, found),
             figures(shift),
