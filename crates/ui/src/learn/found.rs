@@ -48,7 +48,9 @@ pub(super) fn draw(figure: &Figure<'_>) {
         painter.circle_filled(tip, 5.0, tokens.observed);
     }
     let name = picking::landmark_name(run, candidate.landmark);
-    let size = format!("gate ± {} px", figures(reach));
+    let widest =
+        candidate.threshold.sqrt() * ellipse::largest_sigma(&candidate.innovation_covariance);
+    let size = format!("gate: up to {} px", figures(widest));
     figure.key(&[
         ("expected", parts::ink(tokens)),
         (&format!("{name} found"), tokens.observed),

@@ -156,6 +156,25 @@ fn is_length(words: &str) -> bool {
     number.is_some_and(|number| number.parse::<f64>().is_ok())
 }
 
+#[test]
+fn the_gate_is_as_large_as_its_ellipse_and_not_as_what_was_found_beyond_it() {
+    let mut fixture = Fixture::new();
+    let steps = fixture.run.steps.iter_mut();
+    let mut frames = steps.filter_map(|step| step.frame.as_mut());
+    let frame = frames.find(|it| it.accepted().count() > 0).unwrap();
+    for candidate in &mut frame.candidates {
+        // Axes of 3 and 2 px at 1σ, and a gate at 4σ.
+        candidate.innovation_covariance = nalgebra::Matrix2::new(4.0, 0.0, 0.0, 9.0);
+        candidate.threshold = 16.0;
+        candidate.innovation = Some(nalgebra::Vector2::new(0.0, 20.0));
+    }
+    let words = painted_at("first-landmark", fixture, 0.0);
+    assert!(
+        words.iter().any(|it| it == "gate: up to 12.0 px"),
+        "{words:?}"
+    );
+}
+
 /// Words that the stop of a link paints over a run.
 fn painted_at(stop: &str, fixture: Fixture, clock_zero: f64) -> Vec<String> {
     let mut harness = harness_over(fixture, false, clock_zero);
