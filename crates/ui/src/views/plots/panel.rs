@@ -9,6 +9,9 @@ use super::series::{AidColumn, FrameColumn, InnovationColumn, RunSeries, SeriesT
 use crate::tokens::Tokens;
 use crate::units::Units;
 
+/// Age from which a value is none of the moment any more, seconds.
+const RECENT: f64 = 3.0;
+
 /// Kind of a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PanelKind {
@@ -366,13 +369,37 @@ impl<'a> PlotLayer<'a> {
         }
     }
 
-    /// The layer's value at `time` (the upper edge of a band), in the units on screen.
+    /// The layer's value at `time` (the upper edge of a band), in the units on screen; `None` where the last is long past.
     pub fn value_at(&self, time: f64) -> Option<f64> {
         let curve = self.upper.as_ref().unwrap_or(&self.curve);
         let index = curve
             .times
             .partition_point(|t| *t <= time + 1e-9)
-            .checked_sub(1)?;
+            .checked_sub(1)
+            .filter(|index| time - curve.times[*index] < RECENT)?;
         Some(f64::from(curve.values.get(index)?) * curve.factor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixture::Fixture;
+    use super::*;
+
+    #[test]
+    fn a_legend_does_not_tell_the_nis_of_a_picture_that_is_long_past() {
+        let fixture = Fixture::new();
+        let mut series = RunSeries::default();
+        series.update(Some(&fixture.run), Some(&fixture.flight));
+        let gap = series
+            .gaps
+            .iter()
+            .max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
+        let begin = gap.unwrap().0;
+        let layers = PanelKind::Nis.layers(1, &series, &series, &Tokens::dark(), 1.0);
+        for layer in &layers {
+            assert!(layer.value_at(begin + 2.9).is_some(), "{}", layer.name);
+            assert_eq!(layer.value_at(begin + 3.1), None, "{}", layer.name);
+        }
     }
 }
