@@ -115,14 +115,14 @@ fn a_landmark_is_trained_and_evaluated_on_days_that_it_has_not_seen() {
 /// Of a landmark that fits into no picture it is told why; the detector of the other is there all the same.
 fn one_of_two_is_kept(folder: &Folder, name: &str) {
     let mut mission = read_package(folder.text("m.geojson").as_bytes())
-        .unwrap()
+        .expect("a mission")
         .mission;
     mission.landmarks.truncate(2);
     assert_eq!(mission.landmarks[0].name, name);
     let wide = &mut mission.landmarks[1];
     wide.reshape(wide.bounds.grown(700.0));
     let wide = wide.name.clone();
-    std::fs::write(folder.0.join("two.geojson"), write_mission(&mission)).unwrap();
+    std::fs::write(folder.0.join("two.geojson"), write_mission(&mission)).expect("a folder");
     let few = [
         "--positives",
         "12",
@@ -145,14 +145,14 @@ fn one_of_two_is_kept(folder: &Folder, name: &str) {
     );
     assert!(said.contains("does not fit into a picture"), "{said}");
     let kept = read_package(folder.text("kept.geojson").as_bytes())
-        .unwrap()
+        .expect("a mission")
         .mission;
     let trained = kept
         .landmarks
         .iter()
         .map(pilotage_core::landmark::Landmark::is_trained);
     assert_eq!(trained.collect::<Vec<_>>(), [true, false]);
-    let summary: serde_json::Value = serde_json::from_str(&folder.text("kept.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&folder.text("kept.json")).expect("JSON");
     assert_eq!(summary.as_array().map(Vec::len), Some(1));
     // From 10 m no picture holds it: it is told, and counted.
     let low = [
