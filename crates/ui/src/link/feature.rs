@@ -123,7 +123,7 @@ impl LinkFeature {
     }
 }
 
-/// What is open, if there is work in it.
+/// Session of the open documents, if there is work in it.
 fn work(documents: &Documents) -> Option<Session> {
     let own = documents.session();
     let is_work = own.mission.is_some() || matches!(own.flight, FlightSource::Files(_));
