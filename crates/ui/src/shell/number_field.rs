@@ -116,7 +116,12 @@ impl<'a> NumberField<'a> {
 
     /// Draws it for the number `own`; the new number, if it is another one.
     fn add(self, ui: &mut Ui, own: f64, is_whole: bool) -> (Response, Option<f64>) {
-        let old = own * self.factor;
+        // What was set here is shown as it was said: through the unit and back it may be another number, at which the text
+        // that somebody is typing would be thrown away.
+        let id = ui.next_auto_id().with("said");
+        let said = ui.data(|it| it.get_temp::<(f64, f64, f64)>(id));
+        let said = said.filter(|it| (it.0, it.1) == (own, self.factor));
+        let old = said.map_or(own * self.factor, |it| it.2);
         // A number that came from elsewhere may lie beyond what can be set here.
         let least = (self.range.start() * self.factor).min(old);
         let most = (self.range.end() * self.factor).max(old);
@@ -146,11 +151,13 @@ impl<'a> NumberField<'a> {
         let mut field = ui.add(field);
         // Arrows lead beyond the range.
         let new = shown.max(least).min(most);
-        if new == old {
+        let set = new / self.factor;
+        if new == old || set == own {
             field.flags.remove(Flags::CHANGED);
+            return (field, None);
         }
-        let new = (new != old).then(|| new / self.factor);
-        (field, new)
+        ui.data_mut(|it| it.insert_temp(id, (set, self.factor, new)));
+        (field, Some(set))
     }
 }
 
@@ -234,6 +241,21 @@ mod tests {
         for nothing in ["nan", "inf", "high"] {
             assert_eq!(typed(nothing), (120.0, false), "{nothing}");
         }
+    }
+
+    /// 7 ft in metres and back are another number.
+    #[test]
+    fn a_decimal_that_is_typed_behind_a_whole_number_is_kept() {
+        let field = || {
+            let feet = NumberField::new(0.0..=60.0).unit((1.0 / 0.3048, "ft"));
+            feet.decimals(1)
+        };
+        let typed = ["7", ".", "5"].map(|text| Event::Text(text.to_owned()));
+        let (metres, is_changed) = after(field, 3.0, &typed);
+        assert!(
+            is_changed && (metres - 7.5 * 0.3048).abs() < 1e-12,
+            "{metres}"
+        );
     }
 
     #[test]
