@@ -9,7 +9,7 @@ use super::catalog::commands;
 use super::command::{ID, PlanCommand};
 use super::find_command::FindPick;
 use super::landmark_commands::delete;
-use super::planner::{Planner, Seen};
+use super::planner::{Planner, Seen, count};
 use super::readouts::plan_readouts;
 use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
@@ -41,8 +41,15 @@ impl Feature for Planner {
         let command = command.action::<PlanCommand>().cloned();
         let is_known = command.is_some();
         if let Some(command) = command {
+            // Undo in the same frame came first: the number is that of another way-point.
+            let is_of_before = self.counted != count(context.documents);
+            if is_of_before && matches!(command, PlanCommand::MoveWayPoint { .. }) {
+                return true;
+            }
             self.carry_out(command, context);
-            self.keep_count(context.documents);
+            if !is_of_before {
+                self.keep_count(context.documents);
+            }
         }
         is_known
     }

@@ -273,7 +273,7 @@ impl Planner {
 }
 
 /// Id of the selected route, and number of its way-points.
-fn count(documents: &Documents) -> Option<(u32, usize)> {
+pub(super) fn count(documents: &Documents) -> Option<(u32, usize)> {
     let route = documents.mission.selected_route();
     route.map(|it| (it.id, it.way_points.len()))
 }

@@ -1,6 +1,6 @@
 //! Pointer on routes of the map.
 
-use egui::{CursorIcon, Key, Pos2, Response, Ui};
+use egui::{CursorIcon, Key, Popup, Pos2, Response, Ui};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route};
@@ -138,7 +138,9 @@ impl PlanPointer {
             // A drag still moves the map.
             return response.clicked() || response.double_clicked();
         }
-        keyboard(ui, response, planner, context.selection, &mut say);
+        if self.dragged.is_none() {
+            keyboard(ui, response, planner, context.selection, &mut say);
+        }
         if let Some(origin) = drag_origin(ui, response) {
             match under(origin) {
                 Some(Hit::WayPoint(index)) => {
@@ -290,8 +292,9 @@ fn keyboard(
     if planner.way_point.is_none() {
         return;
     }
-    let [escape] = tool_keys(ui, response, [Key::Escape]);
-    if escape {
+    // Not taken: a name that is typed on the map, and the tool that draws boxes, are left by it, too.
+    let is_asked = ui.memory(|it| it.top_modal_layer().is_some()) || Popup::is_any_open(ui.ctx());
+    if !is_asked && ui.input(|i| i.key_pressed(Key::Escape)) {
         say(PlanCommand::SelectWayPoint(None));
     }
     if landmark.is_none() {
