@@ -197,11 +197,13 @@ impl Planner {
             }
             PlanCommand::SetPattern { pattern, finished } => {
                 let usual = flown::usual_altitude(documents);
-                let route = documents.mission.selected_route();
-                let made_for = made_for(self, documents, route);
-                documents.edit_route(id, EditStep::of(finished), |route| {
-                    pattern.apply(route, usual, &made_for);
-                });
+                if let Some(before) = documents.mission.selected_route().cloned() {
+                    let made_for = made_for(self, documents, Some(&before));
+                    let mut laid = before.clone();
+                    pattern.apply(&mut laid, usual, &made_for);
+                    documents.relief().keep_heights(&before, &mut laid);
+                    documents.edit_route(id, EditStep::of(finished), |route| *route = laid);
+                }
                 self.way_point = None;
             }
             PlanCommand::CorridorAlong => {
