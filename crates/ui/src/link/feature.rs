@@ -77,6 +77,7 @@ impl LinkFeature {
     /// Opens the flight of a link; what was open before is kept aside if there is work in it.
     fn follow(&mut self, link: Link, context: &mut FeatureContext<'_>) {
         if let Some(own) = work(context.documents) {
+            self.before.retain(|kept| *kept != own);
             self.before.insert(0, own);
             context
                 .host
@@ -102,6 +103,7 @@ impl LinkFeature {
         }
         let session = self.before.remove(0);
         if let Some(own) = work(context.documents) {
+            self.before.retain(|kept| *kept != own);
             self.before.push(own);
             let text = match self.before.len() {
                 1 => "It is kept aside in turn: the same command brings it back.".to_owned(),
