@@ -11,6 +11,8 @@ pub(crate) struct TourMoment {
     pub time: f64,
     /// Begin of the stretch of time that the stop is about, seconds.
     pub from: f64,
+    /// Its end, seconds.
+    pub until: f64,
     /// The landmark it is about.
     pub landmark: Option<u32>,
     /// Words on what is to be seen, with the numbers of this run.
@@ -24,6 +26,7 @@ impl TourMoment {
             index,
             time,
             from: time,
+            until: time,
             landmark: None,
             text,
         }
@@ -31,6 +34,11 @@ impl TourMoment {
 
     pub(super) fn landmark(mut self, landmark: Option<u32>) -> Self {
         self.landmark = landmark;
+        self
+    }
+
+    pub(super) fn until(mut self, until: f64) -> Self {
+        self.until = until;
         self
     }
 

@@ -47,7 +47,8 @@ impl Lesson for DeadReckoning {
              The track turns blue and the uncertainty grows by about {} {unit} each second.",
             figures(rate)
         );
-        Some(TourMoment::new(run, middle, text).from(start.time))
+        let moment = TourMoment::new(run, middle, text).from(start.time);
+        Some(moment.until(run.steps[end].time))
     }
 
     fn missing(&self, run: &Run) -> Option<&'static str> {
@@ -63,6 +64,7 @@ impl Lesson for DeadReckoning {
             units,
             run,
             time,
+            moment,
             ..
         } = *figure;
         let (factor, unit) = units.length();
@@ -72,11 +74,9 @@ impl Lesson for DeadReckoning {
             .map(|s| sigma(&s.after))
             .fold(0.0, f64::max);
         let axes = figure.axes(span, (0.0, 1.1 * factor * highest));
-        if let Some(Gap { from, end, .. }) = longest_gap(run, |_| true) {
-            let x = axes.screen_x(run.steps[from].time)..=axes.screen_x(run.steps[end].time);
-            let shade = Rect::from_x_y_ranges(x, axes.rect.y_range());
-            painter.rect_filled(shade, 0.0, tokens.dead_reckoning.gamma_multiply(0.18));
-        }
+        let x = axes.screen_x(moment.from)..=axes.screen_x(moment.until);
+        let shade = Rect::from_x_y_ranges(x, axes.rect.y_range());
+        painter.rect_filled(shade, 0.0, tokens.dead_reckoning.gamma_multiply(0.18));
         axes.draw_y(painter, tokens);
         axes.draw_time(painter, tokens, figure.clock_zero);
         let curve: Vec<Pos2> = figure
