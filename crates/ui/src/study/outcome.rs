@@ -158,9 +158,22 @@ impl SettingTally {
         }
     }
 
+    /// Correlation of flights of the same draw in whether they ended inside. Where all end alike, or of a single draw, nothing
+    /// tells how far they go together: a draw is worth one flight.
+    fn correlation(&self) -> f64 {
+        let inside: usize = self.inside.iter().map(|draw| draw.0).sum();
+        let of: usize = self.inside.iter().map(|draw| draw.1).sum();
+        let drawn = self.inside.iter().filter(|draw| draw.1 > 0).count();
+        if drawn < 2 || inside == 0 || inside == of {
+            1.0
+        } else {
+            correlation_within(&self.inside)
+        }
+    }
+
     fn outcome(self, label: String, is_random: bool) -> SettingOutcome {
         let has_one_of_each_draw = self.inside.len() == self.flights;
-        let inside = Rate::clustered(&self.inside, correlation_within(&self.inside));
+        let inside = Rate::clustered(&self.inside, self.correlation());
         let (sum, count) = self.time;
         SettingOutcome {
             label,
@@ -221,21 +234,21 @@ mod tests {
 
     #[test]
     fn flights_of_the_same_draw_are_worth_no_more_than_the_draw() {
-        let outcome = |cells: u64| {
+        let outcome = |cells: u64, inside: u64| {
             let mut tally = SettingTally::default();
-            // 20 draws, of which the last two end outside, in every cell alike.
+            // 20 draws, of which the last end outside, in every cell alike.
             for run in 0..20 * cells {
                 let draw = run / cells;
                 let numbers = MeasureKind::ALL.map(|kind| match kind {
                     MeasureKind::ErrorRms => Some(draw as f64),
-                    MeasureKind::InsideAtEnd => Some(f64::from(u8::from(draw < 18))),
+                    MeasureKind::InsideAtEnd => Some(f64::from(u8::from(draw < inside))),
                     _ => None,
                 });
                 tally.take(draw, &numbers, MeasureKind::ErrorRms);
             }
             tally.outcome(String::new(), true)
         };
-        let [one, ten] = [1, 10].map(outcome);
+        let [one, ten] = [1, 10].map(|cells| outcome(cells, 18));
         // By the printed formulas: ranks of the binomial law of 20, and Wilson's interval of 18 of 20.
         assert_eq!(one.error.unwrap().median, Some([5.0, 14.0]));
         for outcome in [&one, &ten] {
@@ -244,6 +257,9 @@ mod tests {
             assert!(!outcome.is_too_sure());
         }
         assert_eq!((ten.inside, ten.flights), ([180, 200], 200));
+        // Where all end inside, too: Wilson's interval of 20 of 20.
+        let [low, high] = outcome(10, 20).interval;
+        assert!((low - 0.8389).abs() < 1e-3 && (high - 1.0).abs() < 1e-9);
         assert_eq!(ten.error.unwrap().median, None);
     }
 
