@@ -19,5 +19,13 @@ self.addEventListener("activate", (event) => {
 self.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(self.registration.scope)) return;
-  event.respondWith(caches.open(CACHE).then(async (cache) => whole(await cache.match(request, { ignoreSearch: true, ignoreVary: true })) ?? fetch(request)));
+  event.respondWith(caches.open(CACHE).then(async (cache) => {
+    const kept = async (asked) => whole(await cache.match(asked, { ignoreSearch: true, ignoreVary: true }));
+    const { origin, pathname } = new URL(request.url);
+    return await kept(request) ?? fetch(request).catch(async (error) => {
+      const page = request.mode === "navigate" && await kept(`${origin}${pathname}.html`); // by its address as servers shorten it
+      if (page) return page;
+      throw error;
+    });
+  }));
 });
