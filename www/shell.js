@@ -118,7 +118,8 @@ export function shellServices(storage, app) {
     async copyLink(fragment) {
       const link = `${location.href.split("#")[0]}#${fragment}`;
       try {
-        await navigator.clipboard.writeText(link);
+        // Behind the frame that asks for it, even where there is no clipboard: the page waits as long as the prompt is open.
+        await (navigator.clipboard?.writeText(link) ?? Promise.reject(new Error("no clipboard")));
         return true;
       } catch { // not allowed, or there is none, as without https
         prompt("This browser did not let the link be copied. Copy it from here:", link);

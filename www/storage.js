@@ -25,7 +25,8 @@ export async function openStorage(keeps) {
   try {
     let database = await openDatabase();
     // Browsers close it where its data is deleted, some in the background, too.
-    const watch = () => { database.onclose = () => { storage.isKept = false; }; };
+    const watch = () => { const own = database; own.onclose = () => { if (own === database) storage.isKept = false; }; };
+    let opening; // Promise of another connection.
     const refused = (key, error) => { storage.pending -= 1; storage.untold.push(key); console.warn(`could not store ${key}:`, error); };
     watch();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
@@ -41,7 +42,7 @@ export async function openStorage(keeps) {
         write.commit?.();
       } catch (error) { // The connection is closed: what is told is stored again by another one.
         refused(key, error);
-        openDatabase().then((fresh) => { database = fresh; watch(); }, () => {});
+        opening ??= openDatabase().then((fresh) => { database = fresh; watch(); }, () => {}).finally(() => { opening = undefined; });
       }
     };
     storage.put = (key, bytes) => change(key, (documents) => documents.put(bytes.buffer, key));

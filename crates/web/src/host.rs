@@ -456,6 +456,8 @@ impl Host for PageHost {
     }
 
     fn copy_link(&mut self, fragment: &str) {
+        // The answer of an earlier one is none to this.
+        self.inner.borrow_mut().link_copied = None;
         let promise = self.inner.borrow().shell.copy_link(fragment);
         let shared = self.inner.clone();
         wasm_bindgen_futures::spawn_local(async move {
