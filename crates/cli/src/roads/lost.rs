@@ -17,6 +17,7 @@ use super::source::{RoadSource, class};
 use pilotage_jobs::decode_photo;
 
 use crate::CommandResult;
+use crate::notes::tell;
 use crate::numbers::{above_zero, any_number, numbers, zero_or_more};
 use crate::plan::above_ground;
 
@@ -88,8 +89,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let why = "is no probability; give percent above 0, 100 at most";
         return Err(format!("--on-map: {percent} {why}").into());
     }
-    ranges(arguments)?;
     let source = RoadSource::open(&arguments.map)?;
+    tell(&source.notes());
     let frame = source.frame()?;
     let least = class(&arguments.least)?;
     let index = RoadIndex::new(&source.map(Some(&frame)), least)
@@ -131,19 +132,6 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         place.pose.turn.to_degrees().rem_euclid(360.0),
         100.0 * place.probability
     );
-    Ok(())
-}
-
-/// Refuses ranges that are none.
-fn ranges(arguments: &Arguments) -> Result<(), String> {
-    for (option, limit) in [
-        ("--height-within", arguments.height_within),
-        ("--heading-within", arguments.heading_within),
-    ] {
-        if !(limit.is_finite() && limit >= 0.0) {
-            return Err(format!("{option}: {limit} is not zero or more"));
-        }
-    }
     Ok(())
 }
 
