@@ -3,7 +3,9 @@
 //! What the page needs to know of a training passes it as bytes and as text: only workers hold the
 //! programs that train cascades and read them.
 
-use pilotage_core::flight::FrameSource as _;
+use std::sync::Arc;
+
+use pilotage_core::flight::{Flight, FrameSource as _};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::distinctness;
@@ -49,6 +51,8 @@ pub struct Train {
     /// Photos of the labelled frames read so far, and the number of labels read.
     labelled: Vec<TrainingPhoto>,
     read: usize,
+    /// Flight of the labelled frames as its mission has it flown.
+    flown: Option<Arc<Flight>>,
     training: Option<DetectorTraining>,
     /// Whole stages that were told.
     told: usize,
@@ -66,6 +70,7 @@ impl Train {
             envelope,
             labelled: Vec::new(),
             read: 0,
+            flown: None,
             training: None,
             told_at: 0.0,
             worked: 0.0,
@@ -92,9 +97,12 @@ impl Train {
             frames.labels.len()
         );
         emit(JobEvent::Progress(0.0, words));
-        let flight = worker.flight(&frames.flight)?;
-        let mut open = flight.borrow_mut();
-        let (flight, pictures) = (frames.camera.flown(&open.flight), &mut open.frames);
+        let open = worker.flight(&frames.flight)?;
+        let mut open = open.borrow_mut();
+        let flown = self
+            .flown
+            .get_or_insert_with(|| frames.camera.flown(&open.flight));
+        let (flight, pictures) = (Arc::clone(flown), &mut open.frames);
         // Of one picture the labels of this flight may stand beside some that name none.
         let place = FrameLabels::place_among(&frames.labels, &flight.identity(), &labels.frame);
         if place != Some(self.read - 1) {

@@ -41,10 +41,10 @@ impl HeldOutFrames {
             if learned.binary_search(&index).is_ok() {
                 continue;
             }
-            let own = FrameGround::of(flight, index).filter(|_| !shown.is_empty());
+            let own = (!shown.is_empty()).then(|| FrameGround::of(flight, index));
             let is_beside =
                 |own: FrameGround| shown.iter().any(|other| own.share_in(other) > MOSTLY);
-            if own.is_some_and(is_beside) {
+            if own.flatten().is_some_and(is_beside) {
                 held_out.beside += 1;
             } else {
                 held_out.frames.push(index);
