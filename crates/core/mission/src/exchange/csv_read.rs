@@ -184,6 +184,14 @@ fn end_of_file(
     }
 }
 
+/// Seconds of waiting in a row. A column called by its unit alone may be the time of the row, which is none.
+fn waited(row: &CsvRow) -> Option<f64> {
+    let (column, _) = row.cell(CsvRole::Seconds)?;
+    let is_time = column.name.trim().to_lowercase().starts_with("seconds");
+    let seconds = row.number(CsvRole::Seconds).ok()??;
+    Some(seconds).filter(|it| !is_time && *it > 0.0)
+}
+
 fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, ExchangeError> {
     let mut found = GeodeticContent::default();
     let mut assumed_frames = 0;
@@ -243,7 +251,7 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
         way_point.properties = row.properties();
         let stay = litchi_stay(&way_point.properties);
         if !table.has(CsvRole::Action)
-            && let Some(seconds) = stay.or(row.number(CsvRole::Seconds)?.filter(|s| *s > 0.0))
+            && let Some(seconds) = stay.or_else(|| waited(row))
         {
             way_point.action = WayPointAction::Wait {
                 radius: 0.0,

@@ -404,4 +404,16 @@ fn seconds_of_waiting_in_a_table_without_actions_are_waited() {
         seconds: Some(2.0),
     };
     assert_eq!(actions, [wait, WayPointAction::FlyBy]);
+    // Times of rows are no waits, nor is what is no number.
+    for table in [
+        "seconds,latitude,longitude,alt\n0,47,8,50\n10,47.1,8.1,50\n20,47.2,8.2,50\n",
+        "lat,lon,alt,Hold Time\n47,8,50,2 min\n47.1,8.1,50,2 min\n",
+    ] {
+        let found = read(table);
+        let mut way_points = found.routes[0].way_points.iter();
+        assert!(
+            way_points.all(|w| w.action == WayPointAction::FlyBy),
+            "{table}"
+        );
+    }
 }
