@@ -28,6 +28,8 @@ const DEEPEST_DIRECTORY: usize = 4;
 const LONGEST_METADATA: u64 = 1 << 20;
 /// Bytes of leaf directories that are kept.
 const DIRECTORIES: usize = 16 << 20;
+/// First bytes of what gzip packs.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
 
 /// Format of the tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -230,7 +232,10 @@ impl PmTiles {
         // Bounds around the whole globe begin where they end.
         let is_within = width == 0.0 || east_of_west(self.centre.longitude) <= width;
         let latitudes = south_west.latitude..=north_east.latitude;
-        (is_within && latitudes.contains(&self.centre.latitude)).then_some(self.centre)
+        // Who states none writes zeros.
+        let is_stated = (self.centre.latitude, self.centre.longitude) != (0.0, 0.0);
+        let is_within = is_within && latitudes.contains(&self.centre.latitude);
+        (is_stated && is_within).then_some(self.centre)
     }
 
     /// The ground of the world frame `frame` that the map covers.
@@ -283,8 +288,11 @@ impl PmTiles {
         }
         let offset = self.data_offset.saturating_add(entry.offset);
         let bytes = read(self.source.as_ref(), offset, entry.length, "tile")?;
-        unpack(&bytes, self.has_packed_tiles)
-            .map_err(|cause| damaged(self.source.name(), "tile", cause))
+        // Some state a packing that their pictures do not have.
+        if !(self.has_packed_tiles && bytes.starts_with(&GZIP)) {
+            return Ok(bytes);
+        }
+        unpack(&bytes, true).map_err(|cause| damaged(self.source.name(), "tile", cause))
     }
 
     /// Bytes of a tile, unpacked, `None` if the map leaves it out.

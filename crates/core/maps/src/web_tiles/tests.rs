@@ -408,6 +408,12 @@ fn tiles_that_are_packed_are_unpacked_or_refused_by_the_name_of_their_method() {
     let packed = open(archive_of_packed_tiles()).unwrap();
     let pixels = packed.tile(&tile(0, 0, 0)).unwrap().unwrap();
     assert_eq!(pixels.get(3, 3), [50, 60, 70, 255]);
+    // Plain ones are read whatever the header states.
+    let mut plain = archive();
+    plain[98] = 2;
+    let plain = open(plain).unwrap();
+    let pixels = plain.tile(&tile(1, 1, 0)).unwrap().unwrap();
+    assert_eq!(pixels.get(3, 3), [50, 40, 0, 255]);
     let mut brotli = archive();
     brotli[98] = 3;
     let error = open(brotli).err().unwrap().to_string();
@@ -447,6 +453,15 @@ fn of_an_archive_that_states_the_world_the_ground_about_its_centre_is_read_and_t
     bounds(110, 30.0);
     let origin = *open(&bytes).frame().unwrap();
     assert!((origin.origin.longitude.to_degrees() - 19.5).abs() < 1e-6);
+    // Nor are zeros, within bounds that hold them.
+    let mut bounds = |at: usize, degrees: f64| {
+        bytes[at..at + 4].copy_from_slice(&((degrees * 1e7) as i32).to_le_bytes());
+    };
+    for (at, degrees) in [(102, -20.0), (110, 55.0), (119, 0.0), (123, 0.0)] {
+        bounds(at, degrees);
+    }
+    let origin = *open(&bytes).frame().unwrap();
+    assert!((origin.origin.longitude.to_degrees() - 17.5).abs() < 1e-6);
 }
 
 fn open(bytes: Vec<u8>) -> Result<PmTiles, PmTilesError> {
