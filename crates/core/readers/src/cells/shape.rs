@@ -363,7 +363,8 @@ impl SeparatorTrial {
                 };
                 return Some(above.filter(is_above).unwrap_or(found));
             }
-            if is_remark(line) {
+            // Between the names and the rows stand rows alone.
+            if is_remark(line) || cells.len() < self.count {
                 return None;
             }
         }
@@ -394,7 +395,9 @@ impl SeparatorTrial {
             has_header = true;
         }
         let head_width = cells(start).map_or(0, |cells| cells.len());
-        let is_as_wide = |at: usize| cells(at).is_some_and(|cells| cells.len() == head_width);
+        let is_as_wide = |at: usize| {
+            !is_remark(lines[at]) && cells(at).is_some_and(|cells| cells.len() == head_width)
+        };
         let second = (start + 1..lines.len()).find(|at| fits(at) || is_as_wide(*at));
         // Not every column has a unit in brackets below its name.
         let is_in_brackets = |cell: &Cow<str>| {
@@ -518,10 +521,14 @@ mod tests {
         let text = "t,lon,lat,event,remark\n[s],[deg],[deg],[],[]\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n";
         let found = shape(text);
         assert_eq!((found.has_header, found.has_units), (true, true));
+        // A remark below the names has no units, whatever its length.
+        let found = shape("t,lat,lon\n# by me, in Zurich, 2024\n0,47,8\n1,47.1,8.1\n2,47.2,8.2\n");
+        assert_eq!((found.has_header, found.has_units), (true, false));
         // Words before rows without names are talk.
         for text in [
             "Log of the flight on Friday\n0 1 2\n1 2 3\n2 3 4\n",
             "# made by hand, on Friday, in the rain, by me, again\n0,1,2\n1,2,3\n2,3,4\n",
+            "Device,X1\nSerial,123\n0,47.1,8.5\n1,47.2,8.6\n2,47.3,8.7\n",
         ] {
             assert!(!shape(text).has_header, "{text}");
         }

@@ -42,7 +42,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word(",mavlink_heartbeat_t,", MADE_OF_TLOG, TLOG),
     word(",mavlink_attitude_t,", MADE_OF_TLOG, TLOG),
     word(",mavlink_vfr_hud_t,", MADE_OF_TLOG, TLOG),
-    word(",ellh", "the times and places of photos, as a receiver of DJI with corrections has them (…_Timestamp.MRK)", PHOTOS),
+    word(",ellh\t", "the times and places of photos, as a receiver of DJI with corrections has them (…_Timestamp.MRK)", PHOTOS),
     word("\n#bestposa,", "messages of a receiver of NovAtel (ASCII)", PLACES),
     word("\n#inspvaa,", "messages of a receiver of NovAtel (ASCII)", PLACES),
     word("\nepsg:", POINTS, CONVERT),
