@@ -272,7 +272,7 @@ impl Mcap {
             log.report.remark(format!(
                 "the file ends within a packed chunk, of which {count} messages were read"
             ));
-            (if count == 0 { 0 } else { used }, TOO_EARLY)
+            (if count == 0 { 0 } else { used.min(length - 1) }, TOO_EARLY)
         } else if nonsense > 0 {
             let cause = "parts of a packed chunk make no sense";
             (used.min(length - 1), cause)
