@@ -158,7 +158,10 @@ fn photos_among(pool: &dyn FileSet, map: Option<&str>) -> Vec<String> {
 /// Whether a TIFF is a picture that does not say itself where it lies.
 fn is_without_place(source: Arc<dyn ByteSource>) -> bool {
     let opened = GeoTiffFile::open(source, None, None);
-    matches!(opened, Err(GeoTiffError::NoPlace { .. }))
+    matches!(
+        opened,
+        Err(GeoTiffError::NoPlace { .. } | GeoTiffError::ByCamera { .. })
+    )
 }
 
 /// Whether pictures are photos for a map that is open: several, or one that says where it was taken.
@@ -286,7 +289,6 @@ pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<D
 }
 
 /// The mission among the files; beside a flight any GeoJSON is its mission.
-/// The mission among files, beside a flight or alone.
 fn mission(pool: &dyn FileSet, is_flight: bool) -> Result<Option<Mission>, String> {
     let names = names_ending_in(pool, &["json", "geojson"]);
     let found = names.into_iter().find_map(|name| {
