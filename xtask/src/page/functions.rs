@@ -4,16 +4,9 @@ use std::{collections::BTreeMap, ops::Range};
 
 use wasmparser::{KnownCustom, Name, NameSectionReader, Parser, Payload, TypeRef};
 
-/// Bytes of a module before its first section.
-const HEADER: usize = 8;
-
 /// The functions of a module that has its names.
 #[derive(Debug, Default)]
 pub struct Functions<'a> {
-    /// Bytes of the section of code, with the number and the length that stand before it.
-    pub section: Range<usize>,
-    /// End of the last section that was read.
-    end: usize,
     /// Functions that come from outside and are counted first.
     pub imported: u32,
     /// Bytes of the code of each own function, without the length that stands before it.
@@ -25,10 +18,7 @@ pub struct Functions<'a> {
 impl<'a> Functions<'a> {
     /// Those of `module`, or in words what is wrong with it.
     pub fn of(module: &'a [u8]) -> Result<Self, String> {
-        let mut functions = Self {
-            end: HEADER,
-            ..Self::default()
-        };
+        let mut functions = Self::default();
         for payload in Parser::new(0).parse_all(module) {
             functions
                 .take(payload.map_err(|error| error.to_string())?)
@@ -38,17 +28,12 @@ impl<'a> Functions<'a> {
     }
 
     fn take(&mut self, payload: Payload<'a>) -> wasmparser::Result<()> {
-        let begin = self.end;
-        if let Some((_, section)) = payload.as_section() {
-            self.end = section.end;
-        }
         match payload {
             Payload::ImportSection(imports) => {
                 for import in imports.into_imports() {
                     self.imported += u32::from(matches!(import?.ty, TypeRef::Func(_)));
                 }
             }
-            Payload::CodeSectionStart { range, .. } => self.section = begin..range.end,
             Payload::CodeSectionEntry(body) => self.bodies.push(body.range()),
             Payload::CustomSection(section) => {
                 if let KnownCustom::Name(parts) = section.as_known() {
@@ -187,8 +172,6 @@ mod tests {
         assert_eq!(lengths, [5, 3, 2]);
         assert_eq!(own[0].0, "egui::context::run");
         assert_eq!(own[1].0, "egui::Ui as core::ops::drop::Drop>::drop");
-        assert_eq!(module[functions.section.start], 10);
-        assert_eq!(module[functions.section.end], 11, "the data come next");
     }
 
     #[test]

@@ -30,6 +30,8 @@ pub struct References {
     kept: Vec<usize>,
     /// Functions that are called from outside.
     exported: Vec<u32>,
+    /// Whether functions run before all others.
+    has_beginners: bool,
     /// Place in the module and the symbol that it needs, in the order of the places.
     needs: Vec<(usize, usize)>,
 }
@@ -55,6 +57,11 @@ impl References {
         let mut references = reading.references;
         if references.symbols.is_empty() {
             return Err("the linker was not told to leave its references".to_owned());
+        }
+        if references.has_beginners {
+            let why =
+                "functions run before all others, and the linker does not tell who calls them";
+            return Err(why.to_owned());
         }
         references.needs.sort_unstable();
         Ok(references)
@@ -175,7 +182,7 @@ impl Reading {
                 }
             }
             Payload::CustomSection(section) => match section.as_known() {
-                KnownCustom::Linking(parts) => self.symbols(parts)?,
+                KnownCustom::Linking(parts) => self.symbols(&parts)?,
                 KnownCustom::Reloc(needs) => self.needs(&needs)?,
                 _ => {}
             },
@@ -184,13 +191,16 @@ impl Reading {
         Ok(())
     }
 
-    fn symbols(&mut self, parts: LinkingSectionReader<'_>) -> wasmparser::Result<()> {
+    fn symbols(&mut self, parts: &LinkingSectionReader<'_>) -> wasmparser::Result<()> {
         for part in parts.subsections() {
-            let Linking::SymbolTable(symbols) = part? else {
-                continue;
-            };
-            for symbol in symbols {
-                self.symbol(&symbol?);
+            match part? {
+                Linking::SymbolTable(symbols) => {
+                    for symbol in symbols {
+                        self.symbol(&symbol?);
+                    }
+                }
+                Linking::InitFuncs(_) => self.references.has_beginners = true,
+                _ => {}
             }
         }
         Ok(())
