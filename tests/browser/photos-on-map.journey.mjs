@@ -81,7 +81,7 @@ export async function run(page, tools) {
   await tools.screenshot("photos-see-through");
 
   // Where headings are known to 15 degrees they take less time.
-  const field = await tools.find("SpinButton", "40.0 °");
+  const field = await tools.find("SpinButton", "40.0°");
   await tools.click(field);
   await page.keyboard.press("Control+a");
   await page.keyboard.type("15");

@@ -408,15 +408,12 @@ fn open(
         ..MapOptions::default()
     };
     let map = open_map_with(&directory, &arguments.name(), &options);
-    Ok(map.map_err(|error| match error {
+    Ok(map.map_err(|error| {
         // What is of another kind is called by its name.
-        _ if error.is_of_another_kind() => {
-            foreign_words(&arguments.file).unwrap_or_else(|| error.to_string())
-        }
-        MapFileError::NoGeoreference { .. } if !arguments.has_ending(&PICTURES) => {
-            foreign_words(&arguments.file).unwrap_or_else(|| error.to_string())
-        }
-        _ => error.to_string(),
+        let is_bare = matches!(error, MapFileError::NoGeoreference { .. });
+        let is_foreign = error.is_of_another_kind() || is_bare && !arguments.has_ending(&PICTURES);
+        let named = is_foreign.then(|| foreign_words(&arguments.file)).flatten();
+        named.unwrap_or_else(|| error.to_string())
     })?)
 }
 
