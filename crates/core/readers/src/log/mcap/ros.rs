@@ -11,8 +11,6 @@ const POSE: &str = "geometry_msgs/PoseStamped";
 const UNSURE_POSE: &str = "geometry_msgs/PoseWithCovarianceStamped";
 const FOXGLOVE_POSE: &str = "foxglove/PoseInFrame";
 /// Fixes of drivers and of `mavros` that tell more than the standard one.
-const GPS_FIX: &str = "gps_msgs/GPSFix";
-const COMMON_FIX: &str = "gps_common/GPSFix";
 const GPS_RAW: &str = "mavros_msgs/GPSRAW";
 const NAV_PVT: &str = "ublox_msgs/NavPVT";
 const GEO_POSE: &str = "geographic_msgs/GeoPoseStamped";
@@ -27,7 +25,7 @@ const ALTITUDE: &str = "mavros_msgs/Altitude";
 
 /// Meaning of the topics for a flight: PX4's messages tell more plainly what they are.
 pub(in super::super) const MEANING: Meaning = Meaning {
-    roles: &[ulog::ROLES, ROS],
+    roles: &[ulog::ROLES, ROS, &GPS_FIXES, &COMMON_FIXES, DRIVERS],
     triggers: ulog::MEANING.triggers,
     conditions: ulog::MEANING.conditions,
 };
@@ -163,42 +161,34 @@ const ROS: &[RoleSource] = &[
     field(Role::AccelerationForward, IMU, "linear_acceleration.x", 1.0),
     field(Role::AccelerationRight, IMU, "linear_acceleration.y", -1.0),
     field(Role::AccelerationDown, IMU, "linear_acceleration.z", -1.0),
-    field(Role::Latitude, GPS_FIX, "latitude", DEGREE),
-    field(Role::Longitude, GPS_FIX, "longitude", DEGREE),
-    field(Role::GpsHeight, GPS_FIX, "altitude", 1.0),
-    of(Role::GpsFix, GPS_FIX, RowReading::RosFix("status.status")),
-    of(
-        Role::GpsVelocityNorth,
-        GPS_FIX,
-        RowReading::Course("speed", 1.0, "track", DEGREE),
-    ),
-    of(
-        Role::GpsVelocityEast,
-        GPS_FIX,
-        RowReading::Course("speed", 1.0, "track", DEGREE),
-    ),
-    field(Role::GpsVelocityDown, GPS_FIX, "climb", -1.0),
-    field(Role::GroundSpeed, GPS_FIX, "speed", 1.0),
-    field(Role::Latitude, COMMON_FIX, "latitude", DEGREE),
-    field(Role::Longitude, COMMON_FIX, "longitude", DEGREE),
-    field(Role::GpsHeight, COMMON_FIX, "altitude", 1.0),
-    of(
-        Role::GpsFix,
-        COMMON_FIX,
-        RowReading::RosFix("status.status"),
-    ),
-    of(
-        Role::GpsVelocityNorth,
-        COMMON_FIX,
-        RowReading::Course("speed", 1.0, "track", DEGREE),
-    ),
-    of(
-        Role::GpsVelocityEast,
-        COMMON_FIX,
-        RowReading::Course("speed", 1.0, "track", DEGREE),
-    ),
-    field(Role::GpsVelocityDown, COMMON_FIX, "climb", -1.0),
-    field(Role::GroundSpeed, COMMON_FIX, "speed", 1.0),
+];
+
+/// Places of a `GPSFix`, of which two packages have the same one.
+const fn gps_fix(message: &'static str) -> [RoleSource; 8] {
+    [
+        field(Role::Latitude, message, "latitude", DEGREE),
+        field(Role::Longitude, message, "longitude", DEGREE),
+        field(Role::GpsHeight, message, "altitude", 1.0),
+        of(Role::GpsFix, message, RowReading::RosFix("status.status")),
+        of(
+            Role::GpsVelocityNorth,
+            message,
+            RowReading::Course("speed", 1.0, "track", DEGREE),
+        ),
+        of(
+            Role::GpsVelocityEast,
+            message,
+            RowReading::Course("speed", 1.0, "track", DEGREE),
+        ),
+        field(Role::GpsVelocityDown, message, "climb", -1.0),
+        field(Role::GroundSpeed, message, "speed", 1.0),
+    ]
+}
+const GPS_FIXES: [RoleSource; 8] = gps_fix("gps_msgs/GPSFix");
+const COMMON_FIXES: [RoleSource; 8] = gps_fix("gps_common/GPSFix");
+
+/// Places of the messages of drivers of receivers, after all others.
+const DRIVERS: &[RoleSource] = &[
     field(Role::Latitude, NAV_PVT, "lat", E7),
     field(Role::Longitude, NAV_PVT, "lon", E7),
     field(Role::GpsHeight, NAV_PVT, "h_msl", MILLI),
