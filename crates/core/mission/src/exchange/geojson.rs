@@ -13,7 +13,6 @@ use super::{ExchangeError, Places, flown_text};
 use crate::mission::found::{
     FoundLandmark, FoundNoFly, LandmarkExtent, LonLat, ReadRoute, on_globe,
 };
-
 use crate::mission::text::Text;
 use crate::mission::{
     FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, add_geometry_members, no_fly_feature,
@@ -93,48 +92,42 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             "heights in the coordinates are taken for altitudes above mean sea level".to_owned(),
         );
     }
-    if other.plain_lines > 0 {
-        found.notes.push(format!(
-            "{} of the lines state no altitude: {USUAL_ALTITUDE} is taken",
-            other.plain_lines
-        ));
-    }
-    if other.heightless > 0 {
-        found.notes.push(format!(
-            "{} of the points of lines with heights state none: {USUAL_ALTITUDE} is taken",
-            other.heightless
-        ));
-    }
-    if other.circles > 0 {
-        found.notes.push(format!(
-            "{} of the places are circles: each is an area of {CIRCLE_CORNERS} corners around it",
-            other.circles
-        ));
-    }
-    if other.points > 0 {
-        found.notes.push(format!(
-            "{} of the places are points: each gets a box of {POINT_BOX} m",
-            other.points
-        ));
-    }
-    if other.empty > 0 {
-        found.notes.push(format!(
-            "{} of the geometries have no coordinates, and are left out",
-            other.empty
-        ));
-    }
-    if other.rings > 0 {
-        found.notes.push(format!(
-            "{} of the polygons have fewer than three corners, and are left out",
-            other.rings
-        ));
-    }
-    if other.skipped > 0 {
-        found.notes.push(format!(
-            "{} features are neither point, line nor polygon, and are left out",
-            other.skipped
-        ));
-    }
+    let counted = [
+        (
+            other.plain_lines,
+            format!("of the lines state no altitude: {USUAL_ALTITUDE} is taken"),
+        ),
+        (
+            other.heightless,
+            format!("of the points of lines with heights state none: {USUAL_ALTITUDE} is taken"),
+        ),
+        (
+            other.circles,
+            format!(
+                "of the places are circles: each is an area of {CIRCLE_CORNERS} corners around it"
+            ),
+        ),
+        (
+            other.points,
+            format!("of the places are points: each gets a box of {POINT_BOX} m"),
+        ),
+        (
+            other.empty,
+            "of the geometries have no coordinates, and are left out".to_owned(),
+        ),
+        (
+            other.rings,
+            "of the polygons have fewer than three corners, and are left out".to_owned(),
+        ),
+        (
+            other.skipped,
+            "features are neither point, line nor polygon, and are left out".to_owned(),
+        ),
+    ];
+    let counted = counted.iter().filter(|(count, _)| *count > 0);
+    found
+        .notes
+        .extend(counted.map(|(count, words)| format!("{count} {words}")));
     Ok(found)
 }
 
