@@ -2,7 +2,7 @@
 
 use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
-use pilotage_core::navigator::{Run, StepReport};
+use pilotage_core::navigator::StepReport;
 
 use super::button::MapButton;
 use super::correction::{ShownBelief, shown_belief};
@@ -28,6 +28,7 @@ use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::OpenedTerrain;
 use crate::shell::BELOW_HUD;
 use crate::tokens::Tokens;
+use crate::views::picking::{RECENT, recent_frame};
 use crate::views::placed_lately;
 use pilotage_jobs::MapInfo;
 
@@ -405,7 +406,9 @@ impl MapView {
         (belief, mut labels): (Option<&BeliefOfStep<'_>>, Vec<LandmarkLabel>),
     ) {
         let (tokens, rect) = (context.tokens, response.rect);
-        let frame_step = context.run.and_then(|r| recent_frame(r, context.time));
+        let frame_step = context
+            .run
+            .and_then(|run| recent_frame(run, context.time, RECENT));
         let shows = |layer| self.layers.shows(layer);
         if let Some(frame) = frame_step.and_then(|s| s.frame.as_ref())
             && shows(Layer::Footprint)
@@ -569,11 +572,6 @@ fn believed<'a>(context: &ViewContext<'a>) -> Option<BeliefOfStep<'a>> {
     Some((shown_belief(run, step, context.time, context.motion), step))
 }
 
-/// The latest step with a camera frame, unless it is long past.
-fn recent_frame(run: &Run, time: f64) -> Option<&StepReport> {
-    crate::views::picking::recent_frame(run, time, 3.0)
-}
-
 fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {
     let position = context.flight?.truth.as_ref()?.position(time)?;
     Some(GroundPoint::new(position.x, position.y))
@@ -583,7 +581,7 @@ fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {
 fn status_color(context: &ViewContext<'_>) -> egui::Color32 {
     let run = context.run;
     let now = run.and_then(|run| Some((run, run.index_at(context.time)?)));
-    if now.is_some_and(|(run, index)| placed_lately(run, index)) {
+    if now.is_some_and(|(run, index)| placed_lately(run, index).is_some()) {
         context.tokens.corrected
     } else {
         context.tokens.dead_reckoning

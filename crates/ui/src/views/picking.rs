@@ -2,6 +2,9 @@
 
 use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Refusal, Run, StepReport};
 
+/// Age from which pictures and values are none of the moment any more, seconds.
+pub(crate) const RECENT: f64 = 3.0;
+
 /// Name of a landmark of the run, or its number.
 pub(crate) fn landmark_name(run: &Run, id: u32) -> String {
     run.landmarks

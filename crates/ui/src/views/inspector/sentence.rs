@@ -12,7 +12,7 @@ use pilotage_core::navigator::{
 use pilotage_core::registration::RegistrationMethod;
 
 use super::super::parts::figures;
-use super::super::plots::DEAD_RECKONING_AFTER;
+use super::super::plots::{DEAD_RECKONING_AFTER, placed_lately};
 use super::super::{ellipse, picking};
 use crate::units::Units;
 
@@ -113,10 +113,7 @@ fn by_aids(step: &StepReport, units: Units) -> String {
 /// Name of everything that told the place last, at step `index` or a moment before; `None` while the aircraft is dead
 /// reckoning.
 pub(crate) fn placed_by(run: &Run, index: usize) -> Option<String> {
-    let now = run.steps.get(index)?.time;
-    let before = run.steps[..=index].iter().rev();
-    let mut recent = before.take_while(|step| now - step.time <= DEAD_RECKONING_AFTER);
-    let step = recent.find(|step| step.is_placed())?;
+    let step = placed_lately(run, index)?;
     let frame = step.frame.as_ref().filter(|frame| frame.joint.is_some());
     let of_frame = frame.map(|frame| match &frame.laid {
         Some(laid) if laid.is_believed() => "the whole picture",

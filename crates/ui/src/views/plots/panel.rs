@@ -4,13 +4,11 @@ use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
 use super::super::chart::ChartAxes;
 use super::super::parts;
+use super::super::picking::RECENT;
 use super::draw::{self, TimeCurve};
 use super::series::{AidColumn, FrameColumn, InnovationColumn, RunSeries, SeriesTable, StepColumn};
 use crate::tokens::Tokens;
 use crate::units::Units;
-
-/// Age from which a value is none of the moment any more, seconds.
-const RECENT: f64 = 3.0;
 
 /// Kind of a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

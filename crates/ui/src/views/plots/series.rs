@@ -13,15 +13,13 @@ const STEPS_PER_FRAME: usize = 20_000;
 /// Without a correction for this long, it is called dead reckoning, seconds.
 pub(crate) const DEAD_RECKONING_AFTER: f64 = 2.0;
 
-/// Whether anything told the place at step `index` of the run or a moment before: it is dead reckoning otherwise.
-pub(crate) fn placed_lately(run: &Run, index: usize) -> bool {
-    let Some(steps) = run.steps.get(..=index) else {
-        return false;
-    };
-    let now = steps[index].time;
-    let steps = steps.iter().rev();
+/// The step at which anything told the place last: step `index` of the run, or one a moment before; it is dead reckoning
+/// without one.
+pub(crate) fn placed_lately(run: &Run, index: usize) -> Option<&StepReport> {
+    let now = run.steps.get(index)?.time;
+    let steps = run.steps[..=index].iter().rev();
     let mut lately = steps.take_while(|step| now - step.time <= DEAD_RECKONING_AFTER);
-    lately.any(StepReport::is_placed)
+    lately.find(|step| step.is_placed())
 }
 
 /// Columns of the table of steps, SI.
