@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
+use super::passed::readers_of;
 use crate::{
     failure::Failure,
     metadata, places,
@@ -98,6 +99,8 @@ fn of_files(files: &[String], workspace: &[Package]) -> Reach {
     let mut changed = BTreeSet::new();
     let mut page = false;
     for file in files {
+        changed.extend(readers_of(file));
+        page |= of_page_build(file);
         match owner(file, workspace) {
             Owner::Package(name) => {
                 changed.insert(name);
@@ -135,6 +138,21 @@ fn of_files(files: &[String], workspace: &[Package]) -> Reach {
         page: page || PAGE.iter().any(|name| reached.contains(*name)),
         packages: reached.into_iter().collect(),
     }
+}
+
+/// Whether `file` decides how the page is put together, shown or weighed, though the page is not compiled from it.
+fn of_page_build(file: &str) -> bool {
+    [
+        "src/page/",
+        "src/serve/",
+        "budgets.toml",
+        "never_called.toml",
+    ]
+    .iter()
+    .any(|place| {
+        file.strip_prefix("xtask/")
+            .is_some_and(|rest| rest.starts_with(place))
+    })
 }
 
 enum Owner {
@@ -198,6 +216,7 @@ mod tests {
             package("pilotage-ui", "crates/ui", &["pilotage-core"]),
             package("pilotage-tests", "tests", &["pilotage-core"]),
             package("pilotage-house", "tests/house", &[]),
+            package("xtask", "xtask", &[]),
         ]
     }
 
@@ -239,6 +258,23 @@ mod tests {
         assert_eq!(reached(&["Cargo.lock"]).packages.len(), workspace().len());
         let prose = reached(&["docs/testing.md", "README.md"]);
         assert!(prose.packages.is_empty() && !prose.page);
+    }
+
+    #[test]
+    fn a_file_that_tests_read_reaches_them_and_what_the_page_is_built_by_reaches_it() {
+        let reads = |file: &str| reached(&[file]).packages;
+        assert_eq!(reads("docs/results.md"), ["pilotage-cli"]);
+        assert!(reads("www/places.bin").contains(&"pilotage-base".to_owned()));
+        assert!(reads("tests/data/traces/a.geojson").contains(&"pilotage-vision".to_owned()));
+        assert!(reads("docs/results.md.txt").is_empty());
+        for file in [
+            "xtask/never_called.toml",
+            "xtask/budgets.toml",
+            "xtask/src/page/wasm.rs",
+        ] {
+            assert!(reached(&[file]).page, "{file}");
+        }
+        assert!(!reached(&["xtask/src/test/table.rs"]).page);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::{
     collections::hash_map::DefaultHasher,
     fs,
     hash::{Hash as _, Hasher as _},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use object::{Object as _, ObjectSection as _, SectionKind};
@@ -17,8 +17,11 @@ pub fn of(file: &Path) -> Option<String> {
     let mut hasher = DefaultHasher::new();
     match object::File::parse(bytes.as_slice()) {
         Ok(program) => {
-            for section in program.sections().filter(|s| is_run_or_read(s.kind())) {
+            for section in program.sections() {
                 let name = section.name_bytes().ok()?;
+                if !is_run_or_read(section.kind()) && !ADDRESSES.contains(&name) {
+                    continue;
+                }
                 // It follows from the code, and the linker fills its gaps with whatever lay there.
                 if name == b".gcc_except_table" {
                     continue;
@@ -33,25 +36,45 @@ pub fn of(file: &Path) -> Option<String> {
     Some(format!("{} {:016x}", file.display(), hasher.finish()))
 }
 
-/// Tells the files below `folder` from what they were, by their names and contents. `None` if one cannot be read.
-pub fn of_folder(folder: &Path) -> Option<String> {
-    fn hash_all(folder: &Path, hasher: &mut DefaultHasher) -> Option<()> {
-        let entries = fs::read_dir(folder).ok()?;
+/// Sections that the loader fills tables of addresses from: a program that may lie anywhere has zeros in such a table
+/// until it is loaded, so that two entries that change places are seen here alone.
+const ADDRESSES: [&[u8]; 2] = [b".rela.dyn", b".relr.dyn"];
+
+/// Folders that programs fill.
+const MADE: [&str; 3] = ["node_modules", "__pycache__", "target"];
+
+/// Tells what lies in `places`, files and folders with all below them, from what it was: those files whose path `counts`,
+/// by their names and contents. Folders of other packages (with a manifest of their own) do not count. `None` if one
+/// cannot be read.
+pub fn of_files(places: &[PathBuf], counts: &dyn Fn(&Path) -> bool) -> Option<String> {
+    fn hash_all(
+        place: &Path,
+        counts: &dyn Fn(&Path) -> bool,
+        hasher: &mut DefaultHasher,
+    ) -> Option<()> {
+        if !place.is_dir() {
+            if counts(place) {
+                place.file_name()?.hash(hasher);
+                fs::read(place).ok()?.hash(hasher);
+            }
+            return Some(());
+        }
+        let entries = fs::read_dir(place).ok()?;
         let mut entries: Vec<_> = entries.collect::<Result<_, _>>().ok()?;
         entries.sort_by_key(fs::DirEntry::file_name);
         for entry in entries {
-            entry.file_name().hash(hasher);
-            let place = entry.path();
-            if entry.file_type().ok()?.is_dir() {
-                hash_all(&place, hasher)?;
-            } else {
-                fs::read(&place).ok()?.hash(hasher);
+            let inner = entry.path();
+            let is_made = MADE.iter().any(|made| entry.file_name() == **made);
+            if !is_made && !inner.join("Cargo.toml").is_file() {
+                hash_all(&inner, counts, hasher)?;
             }
         }
         Some(())
     }
     let mut hasher = DefaultHasher::new();
-    hash_all(folder, &mut hasher)?;
+    for place in places {
+        hash_all(place, counts, &mut hasher)?;
+    }
     Some(format!("{:016x}", hasher.finish()))
 }
 
@@ -78,21 +101,30 @@ mod tests {
         let own = std::env::current_exe().unwrap();
         let copy = std::env::temp_dir().join(format!("pilotage-print-{}", std::process::id()));
         let mut bytes = fs::read(&own).unwrap();
-        let (code, size) = {
+        let (code, addresses) = {
             let program = object::File::parse(bytes.as_slice()).unwrap();
+            let middle = |section: Option<object::Section<'_, '_>>| {
+                let (at, size) = section?.file_range()?;
+                usize::try_from(at + size / 2).ok()
+            };
             let mut sections = program.sections();
             let code = sections.find(|s| s.kind() == SectionKind::Text && s.size() > 1000);
-            let (at, size) = code.unwrap().file_range().unwrap();
-            (usize::try_from(at).unwrap(), usize::try_from(size).unwrap())
+            (
+                middle(code).unwrap(),
+                middle(program.section_by_name(".rela.dyn")),
+            )
         };
         fs::write(&copy, &bytes).unwrap();
         let first = of(&copy).unwrap();
         bytes.extend_from_slice(b"what a debugger may want to know");
         fs::write(&copy, &bytes).unwrap();
         assert_eq!(of(&copy).unwrap(), first);
-        bytes[code + size / 2] ^= 1;
-        fs::write(&copy, &bytes).unwrap();
-        assert_ne!(of(&copy).unwrap(), first);
+        for place in [Some(code), addresses].into_iter().flatten() {
+            bytes[place] ^= 1;
+            fs::write(&copy, &bytes).unwrap();
+            assert_ne!(of(&copy).unwrap(), first, "at {place}");
+            bytes[place] ^= 1;
+        }
         fs::remove_file(&copy).unwrap();
         assert_eq!(of(&copy), None);
     }

@@ -47,18 +47,25 @@ const OWN_LINE: [&str; 7] = [
 pub struct Packages {
     /// Those that a change reaches, or `None` for all.
     reached: Option<Vec<String>>,
+    /// Whether this program or the rules of the house are reached, which have their own lines.
+    tools: bool,
 }
 
 impl Packages {
     /// All, or those that a change reaches and that are tested natively.
     pub fn of(reach: Option<&Reach>) -> Self {
-        let own_line = ["xtask", "pilotage-house"];
+        let own_line = |name: &String| ["xtask", "pilotage-house"].contains(&name.as_str());
         let reached = reach.map(|reach| {
             let names = reach.packages.iter();
-            let names = names.filter(|name| !own_line.contains(&name.as_str()));
-            names.cloned().collect()
+            names.filter(|name| !own_line(name)).cloned().collect()
         });
-        Self { reached }
+        let tools = reach.is_none_or(|reach| reach.packages.iter().any(own_line));
+        Self { reached, tools }
+    }
+
+    /// Whether there is nothing for the lints to look at.
+    pub fn are_not_linted(&self) -> bool {
+        self.are_none() && !self.tools
     }
 
     /// Whether there is nothing to check.
@@ -110,11 +117,20 @@ pub fn format() -> Result<(), Failure> {
 /// built of is linted as it is built.
 pub fn lints(packages: &Packages) -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
-    if is_automatic() {
-        let of_tools = linted::check(&OWN_LINE);
-        return linted::check(&packages.arguments(&PACKAGES)).and(of_tools);
-    }
-    let packages = packages.arguments(&["--locked", "--workspace"]);
+    let of_tools = match packages.tools {
+        true if is_automatic() => linted::check(&OWN_LINE),
+        true => clippy(&OWN_LINE),
+        false => Ok(()),
+    };
+    let of_programs = match packages.are_none() {
+        true => Ok(()),
+        false if is_automatic() => linted::check(&packages.arguments(&PACKAGES)),
+        false => clippy(&packages.arguments(&PACKAGES)),
+    };
+    of_programs.and(of_tools)
+}
+
+fn clippy(packages: &[&str]) -> Result<(), Failure> {
     let mut clippy = cargo(&["clippy", "--all-targets"]);
     run(
         clippy.args(packages).args(["--", "-D", "warnings"]),
@@ -172,7 +188,7 @@ pub fn tests(packages: &Packages, extent: &Extent<'_>) -> Result<Outcomes, Failu
     let packages = packages.arguments(&PACKAGES);
     let mut manner = Manner::default();
     if extent.studies {
-        manner.environment.push(("PILOTAGE_STUDIES", "1"));
+        manner = manner.over_all_seeds();
     }
     if let Some(python) = extent.python {
         manner = manner.asking(python);

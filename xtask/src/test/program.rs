@@ -61,12 +61,6 @@ impl Program {
     pub fn takes_long(&self) -> bool {
         self.rank() < LONG.len()
     }
-
-    /// Whether the program is of a package that links all others.
-    pub fn is_of_surface(&self) -> bool {
-        let package = self.name.split('/').next();
-        SURFACES.iter().any(|surface| Some(*surface) == package)
-    }
 }
 
 /// The test program that a message of cargo tells of.

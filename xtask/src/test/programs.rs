@@ -2,7 +2,9 @@
 //! still has many.
 
 use std::{
+    collections::BTreeMap,
     io::Write as _,
+    path::{Path, PathBuf},
     process::{Command, Stdio},
     sync::{Mutex, PoisonError},
     time::Instant,
@@ -10,11 +12,12 @@ use std::{
 
 use super::{
     linted::native_cargo,
-    passed::Passed,
+    passed::{Passed, Print, Sources},
     program::{LONG, Program, SURFACES, named_in_message, of_message},
 };
 use crate::{
     failure::Failure,
+    metadata,
     process::{CARGO_ADVICE, capture, program, succeed},
 };
 
@@ -25,6 +28,9 @@ const TERMINAL: &str = "pilotage";
 const SKIPPED: &str = "skipped: no oracle interpreter";
 /// The variable that names the interpreter.
 const INTERPRETER: &str = "PILOTAGE_PYTHON";
+/// The variable that has studies asked over all seeds (`tests/src/studies.rs`).
+const STUDIES: &str = "PILOTAGE_STUDIES";
+
 /// Programs that were run, and whether each passed.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Outcomes(Vec<(Program, bool)>);
@@ -60,10 +66,15 @@ pub fn test(
     quick: bool,
     beside: Option<&[&str]>,
 ) -> Result<Outcomes, Failure> {
+    let sources = Sources::of(folders_of_surfaces()?);
     let told = build(arguments)?;
     let mut programs = in_order(told.lines().filter_map(of_message).collect());
     let all = programs.len();
     let mut passed = Passed::read();
+    let prints: BTreeMap<String, Print> = programs
+        .iter()
+        .map(|one| (one.name.clone(), sources.print(one)))
+        .collect();
     if quick {
         let mut left_out = |keep: &dyn Fn(&Program) -> bool| {
             let before = programs.len();
@@ -71,8 +82,16 @@ pub fn test(
             before - programs.len()
         };
         let long = left_out(&|one| !one.takes_long());
-        let below = left_out(&|one| !passed.has_sources(one));
-        let same = left_out(&|one| !passed.has(one));
+        let is_known = |one: &Program| {
+            prints
+                .get(&one.name)
+                .filter(|_| !manner.asks_over_all_seeds())
+        };
+        let below = left_out(&|one| {
+            !is_known(one).is_some_and(|print| passed.has_sources(&one.name, print))
+        });
+        let same =
+            left_out(&|one| !is_known(one).is_some_and(|print| passed.has(&one.name, print)));
         println!(
             "{} of {all} test programs; left out: {long} that take long ({}), {below} of {} \
             whose own sources passed, {same} that passed as they are",
@@ -99,10 +118,23 @@ pub fn test(
         .iter()
         .filter(|(one, _)| one.arguments.is_empty())
     {
-        passed.note(one, *has_passed);
+        let print = prints.get(&one.name).cloned().unwrap_or_default();
+        passed.note(&one.name, print, *has_passed);
     }
     passed.write()?;
     Ok(outcomes)
+}
+
+/// Folders of the packages that link all others.
+fn folders_of_surfaces() -> Result<Vec<PathBuf>, Failure> {
+    let packages = metadata::packages(false)?;
+    let of_surface = packages.iter().filter(|package| {
+        let name = package["name"].as_str();
+        name.is_some_and(|name| SURFACES.contains(&name))
+    });
+    let manifests = of_surface.filter_map(|package| package["manifest_path"].as_str());
+    let folders = manifests.filter_map(|manifest| Path::new(manifest).parent());
+    Ok(folders.map(Path::to_owned).collect())
 }
 
 /// The programs in the order in which they begin.
@@ -121,6 +153,17 @@ pub struct Manner<'a> {
 }
 
 impl<'a> Manner<'a> {
+    /// The same, in which studies are asked over all seeds.
+    pub fn over_all_seeds(mut self) -> Self {
+        self.environment.push((STUDIES, "1"));
+        self
+    }
+
+    /// Whether studies are asked over all seeds: what passed over a few may not have passed so.
+    fn asks_over_all_seeds(&self) -> bool {
+        self.environment.iter().any(|(name, _)| *name == STUDIES)
+    }
+
     /// The same, in which the tests that ask other people's programs ask `python`, and fail where they do not.
     pub fn asking(mut self, python: &'a str) -> Self {
         self.environment.push((INTERPRETER, python));
@@ -211,8 +254,6 @@ fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
 
 #[cfg(test)]
 mod tests {
-    use std::path::PathBuf;
-
     use super::*;
 
     #[test]
