@@ -8,18 +8,42 @@ use std::{
 use super::profile::{PROGRAMS, module_name};
 use crate::{failure::Failure, places};
 
-/// Makes `dist` an empty folder. Refuses one that holds something else than a page.
+/// Empty file in a page that is being put together.
+const UNFINISHED: &str = ".unfinished-page";
+
+/// Refuses `dist` if it holds something else than a page.
+pub fn refuse_others(dist: &Path) -> Result<(), Failure> {
+    if !dist.exists() {
+        return Ok(());
+    }
+    let mut entries = fs::read_dir(dist).map_err(Failure::file(dist))?;
+    // One that was not finished has some of the programs.
+    let is_page = PROGRAMS.iter().any(|program| {
+        let glue = format!("{}.js", module_name(program));
+        dist.join("pkg").join(glue).is_file()
+    });
+    if entries.next().is_some() && !is_page && !dist.join(UNFINISHED).is_file() {
+        return Err(Failure::ForeignFolder(dist.to_owned()));
+    }
+    Ok(())
+}
+
+/// Makes `dist` an empty folder, but for a mark that a page is put together there (`finish` takes it away). Refuses one
+/// that holds something else than a page.
 pub fn clear(dist: &Path) -> Result<(), Failure> {
+    refuse_others(dist)?;
     if dist.exists() {
-        let mut entries = fs::read_dir(dist).map_err(Failure::file(dist))?;
-        let glue = format!("{}.js", module_name(PROGRAMS[0]));
-        let is_page = dist.join("pkg").join(glue).is_file();
-        if entries.next().is_some() && !is_page {
-            return Err(Failure::ForeignFolder(dist.to_owned()));
-        }
         fs::remove_dir_all(dist).map_err(Failure::file(dist))?;
     }
-    fs::create_dir_all(dist).map_err(Failure::file(dist))
+    fs::create_dir_all(dist).map_err(Failure::file(dist))?;
+    let mark = dist.join(UNFINISHED);
+    fs::write(&mark, "").map_err(Failure::file(&mark))
+}
+
+/// Takes the mark away of a page that is put together.
+pub fn finish(dist: &Path) -> Result<(), Failure> {
+    let mark = dist.join(UNFINISHED);
+    fs::remove_file(&mark).map_err(Failure::file(&mark))
 }
 
 /// Copies `index.html` and the content of `www/` to the root of `dist`.
@@ -96,7 +120,21 @@ mod tests {
         fs::write(folder.join("pkg/pilotage_web.js"), "").unwrap();
         fs::write(folder.join("old.js"), "").unwrap();
         clear(&folder).unwrap();
+        finish(&folder).unwrap();
         assert!(below(&folder).unwrap().is_empty());
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_page_that_was_not_finished_is_cleared() {
+        let folder = scratch("unfinished");
+        clear(&folder).unwrap();
+        fs::write(folder.join("half.js"), "").unwrap();
+        clear(&folder).unwrap();
+        finish(&folder).unwrap();
+        fs::create_dir(folder.join("pkg")).unwrap();
+        fs::write(folder.join("pkg/pilotage_worker_flying.js"), "").unwrap();
+        refuse_others(&folder).unwrap();
         fs::remove_dir_all(&folder).unwrap();
     }
 }

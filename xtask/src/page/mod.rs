@@ -28,6 +28,7 @@ use crate::{failure::Failure, progress::step};
 
 /// Builds the page into `dist`, replacing a page that is there.
 pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {
+    files::refuse_others(dist)?;
     wasm::ensure_target()?;
     step(&format!("compiling the page ({})", profile.name()), || {
         wasm::compile(profile)
@@ -36,6 +37,7 @@ pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {
         files::clear(dist)?;
         side_by_side(&PROGRAMS, |package| wasm::bind(profile, package, dist))?;
         files::copy_shell(dist)?;
+        files::finish(dist)?;
         offline::stamp(dist)
     })?;
     step("compressing", || {

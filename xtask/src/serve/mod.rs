@@ -58,6 +58,12 @@ impl Options {
 
 /// Builds the page unless told otherwise, and serves it until the program is stopped.
 pub fn build_and_serve(options: &Options) -> Result<(), Failure> {
+    let taken = |error: std::io::Error| Failure::Port {
+        port: options.port,
+        reason: error.to_string(),
+    };
+    // Before the page is built, which takes minutes: that the port is taken is known now.
+    let listener = TcpListener::bind(("127.0.0.1", options.port)).map_err(taken)?;
     if let Some(profile) = options.profile {
         page::build(profile, &options.dist)?;
     }
@@ -65,11 +71,6 @@ pub fn build_and_serve(options: &Options) -> Result<(), Failure> {
         .dist
         .canonicalize()
         .map_err(Failure::file(&options.dist))?;
-    let taken = |error: std::io::Error| Failure::Port {
-        port: options.port,
-        reason: error.to_string(),
-    };
-    let listener = TcpListener::bind(("127.0.0.1", options.port)).map_err(taken)?;
     println!(
         "serving http://{}/ (Ctrl+C stops)",
         listener.local_addr().map_err(taken)?
