@@ -82,6 +82,8 @@ pub fn take_place(cargo: &mut Command) -> Result<(), Failure> {
     if is_automatic() {
         let own = std::env::current_exe().map_err(Failure::file("this program"))?;
         cargo.env("RUSTC_WORKSPACE_WRAPPER", own);
+        // Asking cargo where that is takes longer than some crates.
+        cargo.env("CARGO_TARGET_DIR", places::target());
         cargo.env(LINTER, linter()?);
     }
     Ok(())
