@@ -86,13 +86,24 @@ pub fn succeed(command: &Command, status: ExitStatus) -> Result<(), Failure> {
     }
 }
 
+/// Ends that the name of a program has in its file.
+const PROGRAM_ENDINGS: &[&str] = if cfg!(windows) {
+    &[".exe", ".cmd", ".bat"]
+} else {
+    &[""]
+};
+
 /// First of `names` that is a file in a folder of `PATH`.
 pub fn on_path(names: &[&str]) -> Option<PathBuf> {
     let folders: Vec<_> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
     let file_in = |name: &str| {
         folders
             .iter()
-            .map(|folder| folder.join(name))
+            .flat_map(|folder| {
+                PROGRAM_ENDINGS
+                    .iter()
+                    .map(move |end| folder.join(format!("{name}{end}")))
+            })
             .find(|it| it.is_file())
     };
     names.iter().find_map(|name| file_in(name))

@@ -35,7 +35,7 @@ pub fn check(dist: &Path, tags: Option<&[String]>, is_flown: bool) -> Result<(),
         fly_demo()?;
     }
     run(
-        program("node")
+        program(on_path(&["node"]).unwrap_or_else(|| "node".into()))
             .arg("tests/browser/run.mjs")
             .env("PILOTAGE_CHROMIUM", browser)
             .env("PILOTAGE_SERVER", server)
@@ -115,7 +115,7 @@ fn chromium() -> Result<PathBuf, Failure> {
     if let Some(found) = on_path(&NAMES) {
         return Ok(found);
     }
-    install::debian_packages(&["chromium"])?;
+    install::debian_packages(&["chromium"]);
     on_path(&NAMES).ok_or_else(|| Failure::Missing {
         program: "Chromium",
         advice: "install it (Debian: `apt-get install chromium`) or name it in PILOTAGE_CHROMIUM"
@@ -132,7 +132,7 @@ fn packages() -> Result<(), Failure> {
     if fs::read(&installed_file).is_ok_and(|installed| installed == lock) {
         return Ok(());
     }
-    let mut npm = program("npm");
+    let mut npm = program(on_path(&["npm"]).unwrap_or_else(|| "npm".into()));
     npm.args(["ci", "--no-audit", "--no-fund", "--ignore-scripts"])
         .current_dir(&folder);
     run(&mut npm, "npm was found a moment ago")?;

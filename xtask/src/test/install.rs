@@ -5,16 +5,23 @@ use crate::{
     process::{on_path, program, run, succeeds},
 };
 
-/// Installs Debian packages if this machine has them and lets us; says whether it did.
-pub fn debian_packages(packages: &[&str]) -> Result<bool, Failure> {
+/// Installs Debian packages if this machine has them and lets us. Where that fails it has said why; whoever needs them
+/// looks for them and names what is missing.
+pub fn debian_packages(packages: &[&str]) {
+    if let Err(failure) = installed(packages) {
+        eprintln!("{failure}");
+    }
+}
+
+fn installed(packages: &[&str]) -> Result<(), Failure> {
     if on_path(&["apt-get"]).is_none() {
-        return Ok(false);
+        return Ok(());
     }
     let is_root = crate::process::capture(program("id").arg("-u"), "id is part of every system")
         .is_ok_and(|output| output.stdout.trim_ascii() == b"0");
     let with_sudo = !is_root && succeeds(program("sudo").args(["-n", "true"]));
     if !is_root && !with_sudo {
-        return Ok(false);
+        return Ok(());
     }
     let apt = |arguments: &[&str]| {
         let mut command = if is_root {
@@ -36,5 +43,5 @@ pub fn debian_packages(packages: &[&str]) -> Result<bool, Failure> {
         packages,
     ]
     .concat())?;
-    Ok(true)
+    Ok(())
 }

@@ -4,6 +4,7 @@ use std::{
     fs,
     path::{Path, PathBuf},
     process::Command,
+    sync::{Mutex, PoisonError},
 };
 
 use super::{
@@ -30,8 +31,25 @@ pub fn check() -> Result<(), Failure> {
     programs::test(&arguments, &manner, false, None)?.judge(Program::asks_oracles)
 }
 
+/// Times that it is tried to make the interpreter: a network may fail for a while, and each try takes minutes where
+/// there is none.
+const TRIES: usize = 2;
+
 /// The Python of `target/oracles`, with everything in `tests/oracles/requirements.txt`; made if it is not there.
 pub fn interpreter() -> Result<PathBuf, Failure> {
+    static FAILED: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    let mut failed = FAILED.lock().unwrap_or_else(PoisonError::into_inner);
+    if failed.len() >= TRIES {
+        return Err(Failure::Check(failed.join("; ")));
+    }
+    let made = made_interpreter();
+    if let Err(failure) = &made {
+        failed.push(failure.to_string());
+    }
+    made
+}
+
+fn made_interpreter() -> Result<PathBuf, Failure> {
     let home = places::target().join("oracles");
     let python = home.join(if cfg!(windows) {
         "Scripts/python.exe"
@@ -93,7 +111,7 @@ fn system_python() -> Result<PathBuf, Failure> {
     if let Some(python) = find() {
         return Ok(python);
     }
-    install::debian_packages(&["python3", "python3-venv"])?;
+    install::debian_packages(&["python3", "python3-venv"]);
     find().ok_or_else(|| Failure::Missing {
         program: "Python 3.11 or newer with venv",
         advice: "install it (Debian and Ubuntu: `apt-get install python3 python3-venv`)".to_owned(),
