@@ -4,6 +4,7 @@
 
 mod browser;
 mod changed;
+mod cores;
 mod documented;
 mod extension;
 mod fingerprint;
@@ -45,6 +46,10 @@ pub struct Choice {
     /// Only what a change can reach.
     pub reach: Option<Reach>,
 }
+
+/// Checks of the page that was built.
+const SIZES: &str = "sizes of the page";
+const JOURNEYS: &str = "journeys through the page";
 
 /// Brings what later checks need of other places, beside those that compute.
 fn fetch(oracles: bool, browser: bool) -> JoinHandle<()> {
@@ -117,7 +122,7 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     table.check("format", native::format);
     table.check("dependencies: licences, bans, sources", policy::check);
     table.check("house rules", native::house_rules);
-    if !packages.are_none() {
+    if !packages.are_not_linted() {
         table.check("lints, native", || native::lints(&packages));
     }
     if page_is_reached {
@@ -153,24 +158,30 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     if !choice.quick && page_is_reached {
         let page = places::page_under_test();
         let tags = choice.reach.as_ref().and_then(|reach| reach.tags.clone());
-        let is_built = table.check("page", || page::build(Profile::Quick, &page));
+        // What looks at the page looks at that of today, also where only it was asked for.
+        let is_asked = ["page", SIZES, JOURNEYS].map(|name| table.asks_for(name));
+        let is_built =
+            is_asked.contains(&true) && table.run("page", || page::build(Profile::Quick, &page));
         if is_built {
             let quick = Profile::Quick;
-            table.check("sizes of the page", || page::check_sizes(quick, &page));
-            table.check("journeys through the page", || {
+            table.check(SIZES, || page::check_sizes(quick, &page));
+            table.check(JOURNEYS, || {
                 browser::check(&page, tags.as_deref(), ran.demo)
             });
-        } else {
-            table.blocked(
-                "journeys through the page",
-                "there is no page to walk through",
-            );
+        } else if table.asks_for(JOURNEYS) {
+            table.blocked(JOURNEYS, "there is no page to walk through");
         }
     }
     if table.is_empty() {
         return Err(Failure::Usage(
             "no check has that word in its name".to_owned(),
         ));
+    }
+    if !places::recorded_data().is_dir() {
+        table.note(
+            "the recorded data are not there (shared/data beside the repository): tests of recorded flights, maps of \
+            other dates and other programs' vectors did nothing",
+        );
     }
     Ok(table.finish())
 }

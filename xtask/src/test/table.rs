@@ -2,12 +2,15 @@
 
 use std::{process::ExitCode, time::Instant};
 
+use super::cores::Cores;
 use crate::{failure::Failure, progress};
 
 /// Table with a line per check.
 #[derive(Debug, Default)]
 pub struct Table {
     lines: Vec<Line>,
+    /// Sentences below the lines.
+    notes: Vec<String>,
     /// Only checks with this word in their name are run, if one is given.
     only: Option<String>,
 }
@@ -16,6 +19,8 @@ pub struct Table {
 struct Line {
     name: String,
     seconds: f64,
+    /// Share of the cores' time that was computed in, where the system tells.
+    busy: Option<f64>,
     /// Why it failed, if it did.
     failure: Option<String>,
 }
@@ -24,26 +29,33 @@ impl Table {
     /// A table for the checks that have `only` in their name, or for all.
     pub fn new(only: Option<String>) -> Self {
         Self {
-            lines: Vec::new(),
             only,
+            ..Self::default()
         }
     }
 
     /// Runs one check under a heading; returns whether it passed. A check that was not asked for
     /// counts as passed and leaves no line.
     pub fn check(&mut self, name: &str, work: impl FnOnce() -> Result<(), Failure>) -> bool {
-        if self
-            .only
-            .as_deref()
-            .is_some_and(|word| !name.contains(word))
-        {
-            return true;
-        }
+        !self.asks_for(name) || self.run(name, work)
+    }
+
+    /// Whether the check `name` was asked for.
+    pub fn asks_for(&self, name: &str) -> bool {
+        let word = self.only.as_deref();
+        word.is_none_or(|word| name.contains(word))
+    }
+
+    /// Runs one check under a heading, asked for or not, such as one that makes what others look at; returns whether it
+    /// passed.
+    pub fn run(&mut self, name: &str, work: impl FnOnce() -> Result<(), Failure>) -> bool {
         println!("\n━━ {name}");
         progress::flush();
         let start = Instant::now();
+        let cores = Cores::now();
         let failure = work().err().map(|failure| failure.to_string());
         let seconds = start.elapsed().as_secs_f64();
+        let busy = cores.zip(Cores::now()).and_then(|(a, b)| a.busy_until(b));
         match &failure {
             None => println!("━━ {name}: passed, {seconds:.1} s"),
             Some(reason) => println!("━━ {name}: FAILED, {seconds:.1} s\n{reason}"),
@@ -53,6 +65,7 @@ impl Table {
         self.lines.push(Line {
             name: name.to_owned(),
             seconds,
+            busy,
             failure,
         });
         passed
@@ -65,8 +78,14 @@ impl Table {
         self.lines.push(Line {
             name: name.to_owned(),
             seconds: 0.0,
+            busy: None,
             failure,
         });
+    }
+
+    /// Adds a sentence below the table.
+    pub fn note(&mut self, sentence: &str) {
+        self.notes.push(sentence.to_owned());
     }
 
     /// Whether no check had the word asked for in its name.
@@ -92,6 +111,7 @@ impl Table {
         for Line {
             name,
             seconds,
+            busy,
             failure,
         } in &self.lines
         {
@@ -104,8 +124,15 @@ impl Table {
             let reason = first
                 .map(|reason| format!("  {reason}"))
                 .unwrap_or_default();
+            let busy = match busy {
+                Some(share) => format!("{:>4.0} %", 100.0 * share),
+                None => String::from("      "),
+            };
             // Writing into a text cannot fail.
-            let _ = writeln!(text, "{verdict}  {seconds:>7.1} s  {name}{reason}");
+            let _ = writeln!(text, "{verdict}  {seconds:>7.1} s {busy}  {name}{reason}");
+        }
+        for note in &self.notes {
+            let _ = writeln!(text, "note: {note}");
         }
         let together: f64 = self.lines.iter().map(|line| line.seconds).sum();
         let failed = self
@@ -114,7 +141,10 @@ impl Table {
             .filter(|line| line.failure.is_some())
             .count();
         let passed = self.lines.len() - failed;
-        let _ = writeln!(text, "        {together:>7.1} s  together");
+        let _ = writeln!(
+            text,
+            "        {together:>7.1} s  together (%: share of the cores that was busy)"
+        );
         let _ = writeln!(text, "{passed} passed, {failed} failed");
         text
     }
@@ -134,6 +164,14 @@ mod tests {
     }
 
     #[test]
+    fn a_check_that_others_need_runs_whatever_was_asked_for() {
+        let mut table = Table::new(Some("journeys".to_owned()));
+        assert!(!table.asks_for("page") && table.asks_for("journeys through the page"));
+        assert!(table.run("page", || Ok(())));
+        assert!(table.text().contains("page"), "{}", table.text());
+    }
+
+    #[test]
     fn the_last_line_counts_the_checks() {
         let mut table = Table::default();
         assert!(table.check("one", || Ok(())));
@@ -141,7 +179,9 @@ mod tests {
             "found something\nlong".to_owned()
         ))));
         table.blocked("three", "two failed");
+        table.note("there was no data");
         let text = table.text();
+        assert!(text.contains("\nnote: there was no data\n"), "{text}");
         assert_eq!(text.lines().last(), Some("1 passed, 2 failed"));
         assert!(text.contains("two  found something\n"), "{text}");
     }
