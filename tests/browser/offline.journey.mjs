@@ -46,6 +46,7 @@ export async function run(page, tools) {
     await tools.waitReady();
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 60_000 });
     await tools.waitFor((s) => s.run_steps > 0, "the workers, which are loaded after the page", 150_000);
+    tools.expectMessage(/404 \(Not Found\)/);
     const other = await page.context().newPage();
     const answer = await other.goto(`${server.url}nothing.html`);
     tools.check(answer.status() === 404, `an address that is no file is answered with ${answer.status()}`);

@@ -1,7 +1,7 @@
 // What a page must not do while a journey is made: report an error, fall over, or ask another
 // server for something.
 
-/** Watches `page`; the journey may announce messages and requests that it provokes on purpose. */
+/** Watches `page` and every other one of its browser; the journey may announce messages and requests that it provokes on purpose. */
 export function watch(page, ownAddress) {
   const messages = [];
   const requests = [];
@@ -9,12 +9,14 @@ export function watch(page, ownAddress) {
   const expectedRequests = [];
   const isOwn = (url) => url.startsWith(ownAddress) || /^(data|blob|about|chrome-error):/.test(url);
 
-  page.on("console", (message) => {
+  const context = page.context();
+  context.on("console", (message) => {
     if (message.type() === "error") messages.push(`console: ${message.text()}`);
   });
-  page.on("pageerror", (error) => messages.push(`uncaught: ${error.stack ?? error}`));
-  page.on("crash", () => messages.push("the page crashed"));
-  page.context().on("request", (request) => {
+  context.on("weberror", (fault) => messages.push(`uncaught: ${fault.error().stack ?? fault.error()}`));
+  const watchForCrash = (one) => one.on("crash", () => messages.push("the page crashed"));
+  context.on("page", watchForCrash).pages().forEach(watchForCrash);
+  context.on("request", (request) => {
     if (!isOwn(request.url())) requests.push(request.url());
   });
 

@@ -5,6 +5,7 @@ import { pmtiles } from "./pmtiles.mjs";
 import { png } from "./png.mjs";
 
 export const name = "tiles of the web are shown with their attribution, downloaded for an area, and there when the server is gone; a GeoTIFF and a PMTiles archive are read by ranges";
+export const long = true;
 export const tags = ["maps"];
 
 const shade = (zoom, x, y) => [40 + ((x * 37) % 5) * 40, 60 + ((y * 53) % 5) * 35, (zoom * 29) % 256];

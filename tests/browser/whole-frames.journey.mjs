@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { zip } from "./zip.mjs";
 
 export const name = "a recorded flight opens from a zip and is navigated by whole pictures laid on its map, and its overview tells the lag";
+export const long = true;
 export const tags = ["readers", "maps"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
