@@ -93,7 +93,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             map: source.clone(),
             mission: Some(mission.clone()),
         };
-        let run = fly(order, &mut worker)?;
+        let run = fly(order, &mut worker, &mut || Ok(()))?;
         let order = CalibrationOrder {
             evidence: CameraEvidence::of(&flight, &run),
             believed,

@@ -199,8 +199,9 @@ fn replay_seed(
     arguments: &Arguments,
 ) -> CommandResult {
     let options = options(choice.name, arguments.seed, arguments.day);
-    let ReplayedSimulation { flight, run } = replay_simulation(options, mission, lent)
-        .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
+    let ReplayedSimulation { flight, run } =
+        replay_simulation(options, mission, lent, &mut || Ok(()))
+            .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
     let summary = summarize(&flight, &run, Some(&choice.navigator()));
     let at = FlownWhere {
         origin: mission.origin,

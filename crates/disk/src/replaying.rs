@@ -122,12 +122,20 @@ impl FlightOverMap {
     /// # Errors
     /// Settings that the flight does not allow, or a filter that broke.
     pub fn navigate(&mut self) -> Result<Run, Failure> {
+        self.navigate_while(&mut || Ok(()))
+    }
+
+    /// As [`Self::navigate`], as long as `goes_on`, which is asked after every few steps, does not refuse.
+    ///
+    /// # Errors
+    /// Settings that the flight does not allow, a filter that broke, or the refusal.
+    pub fn navigate_while(&mut self, goes_on: GoesOn<'_>) -> Result<Run, Failure> {
         let order = FlyOrder {
             flight: Lent::flight(),
             map: self.source.clone(),
             mission: Some(self.mission.clone()),
         };
-        Ok(fly(order, &mut self.worker)?)
+        Ok(fly(order, &mut self.worker, goes_on)?)
     }
 }
 
@@ -172,14 +180,19 @@ pub struct ReplayedSimulation {
     pub run: Run,
 }
 
-/// Flies in a built-in world and navigates by a mission over its map.
+/// Whether a flight shall be navigated further: the refusal in words if not.
+pub type GoesOn<'a> = &'a mut dyn FnMut() -> Result<(), String>;
+
+/// Flies in a built-in world and navigates by a mission over its map, as long as `goes_on`, which is asked after every few
+/// steps, does not refuse.
 ///
 /// # Errors
-/// A flight that no world has, settings that the flight does not allow, or a filter that broke.
+/// A flight that no world has, settings that the flight does not allow, a filter that broke, or the refusal.
 pub fn replay_simulation(
     options: SimulationOptions,
     mission: &Mission,
     lent: &Lent,
+    goes_on: GoesOn<'_>,
 ) -> Result<ReplayedSimulation, String> {
     let mut worker = lent.worker();
     let order = FlyOrder {
@@ -189,17 +202,18 @@ pub fn replay_simulation(
     };
     let open = worker.flight(&order.flight)?;
     let flight = mission.flown(&open.borrow().flight);
-    let run = fly(order, &mut worker)?;
+    let run = fly(order, &mut worker, goes_on)?;
     Ok(ReplayedSimulation { flight, run })
 }
 
 /// The run of a flight that is flown to its end by the order of the page.
 ///
 /// # Errors
-/// Why it cannot be flown or navigated, in words.
-pub fn fly(order: FlyOrder, worker: &mut WorkerState) -> Result<Run, String> {
+/// Why it cannot be flown or navigated, in words, or what `goes_on` refuses with.
+pub fn fly(order: FlyOrder, worker: &mut WorkerState, goes_on: GoesOn<'_>) -> Result<Run, String> {
     let mut flown = None;
     do_here(order, worker, &mut |event| {
+        goes_on()?;
         match event {
             JobEvent::CannotNavigate(why) | JobEvent::Failed(why) => return Err(why),
             JobEvent::RunStarted(head) => flown = Some(*head),

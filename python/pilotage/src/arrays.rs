@@ -19,15 +19,25 @@ pub fn vector<T: Element>(py: Python<'_>, values: Vec<T>) -> Bound<'_, PyArray1<
     values.into_pyarray(py)
 }
 
-/// An array of rows of `columns` values each, which takes over their memory.
+/// An array of so many rows and columns, either of which may be none, which takes over the memory of its values, row by
+/// row.
+pub fn matrix<T: Element>(
+    py: Python<'_>,
+    shape: (usize, usize),
+    values: Vec<T>,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let array = Array2::from_shape_vec(shape, values).map_err(refusal)?;
+    Ok(array.into_pyarray(py))
+}
+
+/// An array of rows of `columns` values each, which takes over their memory; without columns, it has no rows.
 pub fn rows<T: Element>(
     py: Python<'_>,
     columns: usize,
     values: Vec<T>,
 ) -> PyResult<Bound<'_, PyArray2<T>>> {
     let count = values.len().checked_div(columns).unwrap_or(0);
-    let array = Array2::from_shape_vec((count, columns), values).map_err(refusal)?;
-    Ok(array.into_pyarray(py))
+    matrix(py, (count, columns), values)
 }
 
 /// An array of so many square matrices, row by row, which takes over their memory.

@@ -14,7 +14,7 @@ use pilotage_disk::predict::prediction;
 use pilotage_jobs::{FINE, PredictionOrder};
 use pyo3::prelude::*;
 
-use crate::arrays::{python_value, rows, squares, vector};
+use crate::arrays::{matrix, python_value, rows, squares, vector};
 use crate::error::refusal;
 
 /// Errors of a landmark's place that is stated to be found: metres, and radians with the logarithm of the size.
@@ -198,7 +198,8 @@ impl PythonPrediction {
     fn detection<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let samples = self.prediction.samples.iter();
         let values = samples.flat_map(|sample| &sample.detection).copied();
-        rows(py, self.landmarks.len(), values.collect())
+        let shape = (self.prediction.samples.len(), self.landmarks.len());
+        matrix(py, shape, values.collect())
     }
 
     /// Stretches over the limit: dictionaries with where they begin and end along the path, and how bad they are.

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use pilotage_core::navigator::{summarize, unused_pictures};
 use pilotage_core::simulate::SimulationChoice;
 use pilotage_disk::filter_options;
-use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
+use pilotage_disk::replaying::{
+    GoesOn, ReplayedSimulation, flight_at, over_map, replay_simulation,
+};
 use pilotage_disk::workers::Lent;
 use pilotage_jobs::SimulationOptions;
 use pyo3::prelude::*;
@@ -31,7 +33,7 @@ pub fn replay(
     vehicle: Option<u32>,
     filter: &str,
 ) -> PyResult<PythonRun> {
-    let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
+    let fly = |goes_on: GoesOn<'_>| -> Result<PythonRun, Box<dyn std::error::Error>> {
         let flight = flight_at(&path, columns.as_deref(), vehicle)?;
         let map = flight.map(map.as_deref())?;
         let mission = flight.mission(mission.as_deref(), no_mission)?;
@@ -42,13 +44,12 @@ pub fn replay(
         });
         let mut over = over_map(flight.open, map, mission, filter)?;
         notes.extend(over.why.map(ToOwned::to_owned));
-        let run = over.navigate()?;
+        let run = over.navigate_while(goes_on)?;
         notes.extend(unused_pictures(&run));
         let summary = summarize(&over.flight, &run, None);
         Ok(PythonRun::new(run, Some(summary), notes))
     };
-    let flown = py.detach(|| fly().map_err(|e| e.to_string()));
-    flown.map_err(|words| {
+    unless_interrupted(py, fly)?.map_err(|words| {
         // Whatever is wrong with map or mission says so.
         let told = [map.as_ref(), mission.as_ref()];
         let is_named = told.iter().flatten().any(|file| {
@@ -83,7 +84,7 @@ pub fn replay_scenario(
         "other" => true,
         _ => return Err(refusal(format!("day={day:?}: say \"same\" or \"other\""))),
     };
-    let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
+    let fly = |goes_on: GoesOn<'_>| -> Result<PythonRun, Box<dyn std::error::Error>> {
         let mut mission = choice.mission().ok_or("it has no mission")?;
         filter_options::apply(&mut mission.navigator, filter)?;
         let options = SimulationOptions {
@@ -94,12 +95,31 @@ pub fn replay_scenario(
             height: None,
         };
         let ReplayedSimulation { flight, run } =
-            replay_simulation(options, &mission, &Lent::default())?;
+            replay_simulation(options, &mission, &Lent::default(), goes_on)?;
         let summary = summarize(&flight, &run, Some(&choice.navigator()));
         Ok(PythonRun::new(run, Some(summary), Vec::new()))
     };
-    py.detach(|| fly().map_err(|e| format!("{name}, seed {seed}: {e}")))
-        .map_err(refusal)
+    unless_interrupted(py, fly)?.map_err(|words| refusal(format!("{name}, seed {seed}: {words}")))
+}
+
+/// Does work without Python's lock that asks now and then whether it goes on; the refusal in words where it fails, and
+/// `KeyboardInterrupt`, or whatever a handler of signals raises, where somebody interrupts it.
+fn unless_interrupted<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(GoesOn<'_>) -> Result<T, Box<dyn std::error::Error>> + Send,
+) -> PyResult<Result<T, String>> {
+    let mut interrupted = None;
+    let done = py.detach(|| {
+        let mut goes_on = || {
+            Python::attach(|py| py.check_signals()).map_err(|error| {
+                let words = error.to_string();
+                interrupted = Some(error);
+                words
+            })
+        };
+        work(&mut goes_on).map_err(|error| error.to_string())
+    });
+    interrupted.map_or(Ok(done), Err)
 }
 
 /// Names of the built-in scenarios, in any of the built-in worlds.

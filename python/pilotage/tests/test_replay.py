@@ -1,7 +1,10 @@
 """The navigator and predicted routes, beside the program of the terminal."""
 
+import _thread
 import json
 import subprocess
+import threading
+import time
 
 import numpy as np
 import pilotage
@@ -125,6 +128,21 @@ def test_a_predicted_corridor_widens_without_landmarks():
     np.testing.assert_allclose(np.sqrt(values[:, 0]), stated.sigma_minor, rtol=1e-9)
     with pytest.raises(pilotage.PilotageError, match="nowhere.zip"):
         pilotage.predict_route("nowhere.zip")
+
+
+def test_a_replay_can_be_interrupted():
+    # As Ctrl+C does, or a notebook that interrupts its kernel.
+    begun = time.monotonic()
+    whole = pilotage.replay_scenario("indoor-hall")
+    takes = time.monotonic() - begun
+    timer = threading.Timer(takes / 10, _thread.interrupt_main)
+    timer.start()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        pilotage.replay_scenario("indoor-hall")
+    assert time.monotonic() - begun < takes / 2
+    timer.join()
+    assert len(pilotage.replay_scenario("indoor-hall")) == len(whole)
 
 
 def test_scenarios_of_every_world_can_be_flown():
