@@ -29,6 +29,7 @@ pub const ORDERS: [&Order; 8] = [
             "gazetteer",
             "georeference",
             "hemisphere_in_name",
+            "loose_json",
             "place_text",
             "text",
             "tiff_entry",

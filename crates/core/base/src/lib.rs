@@ -10,6 +10,7 @@ pub mod frames;
 pub mod gazetteer;
 pub mod georeference;
 pub mod hemisphere_in_name;
+pub mod loose_json;
 pub mod place_text;
 pub mod sorting;
 pub mod statistics;

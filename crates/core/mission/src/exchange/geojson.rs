@@ -19,6 +19,7 @@ use crate::mission::{
     rally_feature, read_features, write_features,
 };
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_base::loose_json::without_not_a_number;
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
@@ -48,6 +49,8 @@ const DEEPEST: usize = 8;
 /// Reads a collection, a single feature or a bare geometry.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     // A piece is put into a collection on its own first line, so that lines stay what they are.
+    let numbers = without_not_a_number(content);
+    let content = numbers.as_ref().map_or(content, |(content, _)| content);
     let lines = feature_lines(content);
     let content = lines.as_deref().unwrap_or(content);
     let whole: Option<Value> = serde_json::from_str(content).ok();
@@ -93,6 +96,10 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         );
     }
     let counted = [
+        (
+            numbers.map_or(0, |(_, count)| count),
+            "of the numbers are none (NaN, Infinity), which JSON does not have: they are taken to be missing".to_owned(),
+        ),
         (
             other.plain_lines,
             format!("of the lines state no altitude: {USUAL_ALTITUDE} is taken"),

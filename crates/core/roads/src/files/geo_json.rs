@@ -1,5 +1,6 @@
 //! Lines of GeoJSON: roads where they say so by `highway`, or all of them where none does.
 
+use pilotage_base::loose_json::without_not_a_number;
 use serde_json::Value;
 
 use super::error::RoadFileError;
@@ -9,13 +10,24 @@ use crate::line::RoadClass;
 
 /// Whether a line says that it is a road.
 pub fn names_roads(bytes: &[u8]) -> bool {
-    let Ok(file) = serde_json::from_slice::<Value>(bytes) else {
+    let Ok(file) = value(bytes) else {
         return true;
     };
     let features = file["features"].as_array().map_or(&[][..], Vec::as_slice);
     features
         .iter()
         .any(|feature| says_highway(feature) && !lines(feature).is_empty())
+}
+
+/// The value of a file, in which numbers may be none (`NaN`).
+fn value(bytes: &[u8]) -> serde_json::Result<Value> {
+    let numbers = std::str::from_utf8(bytes)
+        .ok()
+        .and_then(without_not_a_number);
+    match &numbers {
+        Some((json, _)) => serde_json::from_str(json),
+        None => serde_json::from_slice(bytes),
+    }
 }
 
 fn says_highway(feature: &Value) -> bool {
@@ -37,7 +49,7 @@ fn lines(feature: &Value) -> Vec<&Value> {
 
 /// Reads the roads of a file.
 pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
-    let file: Value = serde_json::from_slice(bytes).map_err(|error| {
+    let file = value(bytes).map_err(|error| {
         let lines = bytes.split(|byte| *byte == b'\n').take(error.line() - 1);
         let before: usize = lines.map(|line| line.len() + 1).sum();
         RoadFileError::broken(before + error.column().saturating_sub(1), error)

@@ -51,6 +51,39 @@ fn landmarks_have_no_place_in_a_plan() {
     assert!(error.to_string().contains("GeoJSON, KML or CSV"), "{error}");
 }
 
+#[test]
+fn numbers_that_are_none_are_missing_and_lose_nothing_else() {
+    // As Python's `json` writes a table with gaps.
+    let told = r#"{"type": "FeatureCollection", "features": [
+ {"type": "Feature", "properties": {"name": "NaN", "score": NaN},
+  "geometry": {"type": "Point", "coordinates": [8.5, 47.4, NaN]}},
+ {"type": "Feature", "properties": {"name": "b", "score": -Infinity},
+  "geometry": {"type": "Point", "coordinates": [8.51, 47.41]}}]}"#;
+    let read = read_any("gaps.geojson", told.as_bytes(), None).unwrap();
+    let names = read.landmarks.iter().map(|l| l.name.as_str());
+    assert_eq!(names.collect::<Vec<_>>(), ["NaN", "b"]);
+    let notes = read.notes.join("; ");
+    assert!(notes.contains("3 of the numbers are none"), "{notes}");
+    let with_a_place = told.replace("[8.51,", "[NaN,");
+    let error = read_any("gaps.geojson", with_a_place.as_bytes(), None).unwrap_err();
+    assert!(error.to_string().contains("line 4"), "{error}");
+}
+
+#[test]
+fn places_of_gdal_with_names_may_have_heights() {
+    let told = "X,Y,Z,name\n8.542134,47.371256,420.5,church\n8.543181,47.372267,430,bridge\n";
+    let read = read_any("places.csv", told.as_bytes(), None).unwrap();
+    assert_eq!(read.landmarks.len(), 2);
+    let notes = read.notes.join("; ");
+    assert!(
+        notes.contains("`X` and `Y` are taken for longitude"),
+        "{notes}"
+    );
+    // Without a name they may be metres of a track.
+    let told = told.replace(",name", ",q");
+    assert!(read_any("places.csv", told.as_bytes(), None).is_err());
+}
+
 const KML: &str = r##"<?xml version="1.0" encoding="UTF-8"?>
 <kml xmlns="http://www.opengis.net/kml/2.2"><Document><name>Trip</name>
  <Folder><Placemark><name>Line &amp; bend</name><styleUrl>#nowhere</styleUrl><description><![CDATA[<b>bold</b>]]></description>

@@ -1,0 +1,118 @@
+//! JSON as programs write it that do not ask whether a number is one: `NaN` and `Infinity` (Python's `json`, R) are
+//! no JSON.
+
+/// `json` without its numbers that are none, and how many these were; `None` if it has none. A value becomes `null`;
+/// in a list behind another value, such as the height of a place, it is left out with its comma. Lines stay as they are.
+///
+/// ```
+/// use pilotage_base::loose_json::without_not_a_number;
+///
+/// let told = r#"{"name": "NaN", "score": NaN, "at": [8.5, 47.3, -Infinity]}"#;
+/// let (json, count) = without_not_a_number(told).unwrap();
+/// let kept: String = json.split_whitespace().collect();
+/// assert_eq!(kept, r#"{"name":"NaN","score":null,"at":[8.5,47.3]}"#);
+/// assert_eq!(count, 2);
+/// assert_eq!(without_not_a_number(r#"{"name": "NaN"}"#), None);
+/// ```
+#[must_use]
+pub fn without_not_a_number(json: &str) -> Option<(String, usize)> {
+    let mut out = String::with_capacity(json.len());
+    let mut lists = Vec::new(); // of what is open, whether it is a list
+    let mut count = 0;
+    let mut rest = json;
+    while let Some(first) = rest.chars().next() {
+        let length = match first {
+            '"' => length_of_text(rest),
+            'N' | 'I' | '-' => match length_of_none(rest) {
+                0 => first.len_utf8(),
+                length => {
+                    count += 1;
+                    let is_in_list = lists.last() == Some(&true);
+                    if !(is_in_list && take_comma(&mut out)) {
+                        out.push_str("null");
+                    }
+                    rest = &rest[length..];
+                    continue;
+                }
+            },
+            '[' | '{' => {
+                lists.push(first == '[');
+                1
+            }
+            ']' | '}' => {
+                lists.pop();
+                1
+            }
+            _ => first.len_utf8(),
+        };
+        out.push_str(&rest[..length]);
+        rest = &rest[length..];
+    }
+    (count > 0).then_some((out, count))
+}
+
+/// Bytes of the text in quotation marks with which `rest` begins; all of it where it does not end.
+fn length_of_text(rest: &str) -> usize {
+    let mut is_escaped = true; // its own mark
+    for (at, byte) in rest.bytes().enumerate() {
+        match byte {
+            _ if is_escaped => is_escaped = false,
+            b'\\' => is_escaped = true,
+            b'"' => return at + 1,
+            _ => {}
+        }
+    }
+    rest.len()
+}
+
+/// Bytes of the word for what is no number with which `rest` begins; none if it begins otherwise.
+fn length_of_none(rest: &str) -> usize {
+    let words = ["NaN", "Infinity", "-Infinity", "-NaN"];
+    words
+        .iter()
+        .find(|word| rest.starts_with(**word))
+        .map_or(0, |word| word.len())
+}
+
+/// Takes the comma away with which `out` ends, blanks aside; whether there was one.
+fn take_comma(out: &mut String) -> bool {
+    let kept = out.trim_end();
+    let Some(at) = kept.strip_suffix(',').map(str::len) else {
+        return false;
+    };
+    out.replace_range(at..=at, " ");
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clean(json: &str) -> serde_json::Value {
+        let (json, _) = without_not_a_number(json).unwrap();
+        serde_json::from_str(&json).unwrap()
+    }
+
+    #[test]
+    fn lists_lose_what_is_no_number_and_members_become_null() {
+        assert_eq!(clean("[1, NaN]"), serde_json::json!([1]));
+        assert_eq!(clean("[1,\n -Infinity , 3]"), serde_json::json!([1, 3]));
+        assert_eq!(clean("[NaN, NaN]"), serde_json::json!([null]));
+        assert_eq!(
+            clean(r#"[{"a": Infinity, "b": [{"c": -NaN}]}]"#),
+            serde_json::json!([{"a": null, "b": [{"c": null}]}])
+        );
+    }
+
+    #[test]
+    fn texts_lines_and_what_is_no_json_stay() {
+        let told = "{\"a \\\" NaN, \": 1,\n\n\"é\": [2,\nNaN]}";
+        let (json, count) = without_not_a_number(told).unwrap();
+        assert_eq!(count, 1);
+        assert_eq!(json.lines().count(), told.lines().count());
+        assert_eq!(clean(told)["é"], serde_json::json!([2]));
+        assert_eq!(without_not_a_number("\"open NaN"), None);
+        assert_eq!(without_not_a_number(""), None);
+        assert_eq!(without_not_a_number("-1 Ink"), None);
+    }
+}
