@@ -129,6 +129,8 @@ impl ReadCsvTable<'_> {
         let (x, y) = names.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
         // With a height or a time beside them they may be metres of a track.
         let of_tracks = ["z", "t", "time", "timestamp", "time_s", "qw", "qx"];
+        // What has names are places, whose height GDAL calls Z.
+        let of_tracks = &of_tracks[usize::from(self.has(CsvRole::Name))..];
         let is_of_track = |c: &CsvColumn| of_tracks.contains(&c.name.to_lowercase().as_str());
         if self.columns.iter().any(is_of_track) {
             return None;
