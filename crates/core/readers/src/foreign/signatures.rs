@@ -51,6 +51,7 @@ const TO_MAT: &str = "save it with `save('file.mat', '-v7')`, or its tables as C
 const NETWORK: &str = "open the telemetry log that the ground station wrote";
 const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open that";
 const GPX_OF: &str = "make a GPX or CSV of it (gpsbabel) and open that";
+const FDR: &str = "keep its DATA rows under a row of their names as CSV and open that";
 const MAP: &str = "open it as a map";
 const TIFF: &str = "open it as a map; photos with places are read from JPEG and PNG: save them so";
 
@@ -68,6 +69,12 @@ const MARKS: &[FileSignature] = &[
     mark(&[0xb5, 0x62], "a recording of a u-blox receiver (UBX)", RECEIVER),
     mark(b"$@", "a recording of a Septentrio receiver (SBF)", RECEIVER),
     mark(&[0xaa, 0x44, 0x12], "a recording of a NovAtel receiver", RECEIVER),
+    mark(&[0xd3, 0], "corrections of satellite navigation (RTCM)", "open the log of the aircraft, or what the receiver recorded"),
+    mark(&[0x7e, 0], "a recording of a traffic receiver (GDL 90)", GPX_OF),
+    mark(b"A\n4\n", "a flight data recording of X-Plane (.fdr)", FDR),
+    mark(b"A\r\n4\r\n", "a flight data recording of X-Plane (.fdr)", FDR),
+    mark(b"A\n3\n", "a flight data recording of X-Plane (.fdr)", FDR),
+    mark(b"A\r\n3\r\n", "a flight data recording of X-Plane (.fdr)", FDR),
     mark(&[0xd4, 0xc3, 0xb2, 0xa1], "a recording of a network (pcap)", NETWORK),
     mark(&[0x4d, 0x3c, 0xb2, 0xa1], "a recording of a network (pcap)", NETWORK),
     mark(&[0x0a, 0x0d, 0x0d, 0x0a], "a recording of a network (pcapng)", NETWORK),
@@ -140,6 +147,8 @@ const MARKS: &[FileSignature] = &[
     mark(b"\x93NUMPY", "an array of NumPy", TO_CSV),
     mark(&[0x80, 4, 0x95], "objects of Python (pickle)", TO_CSV),
     mark(&[0x80, 5, 0x95], "objects of Python (pickle)", TO_CSV),
+    mark_at(4, b"Standard Jet DB", "a database of Access (.mdb)", TO_CSV),
+    mark_at(4, b"Standard ACE DB", "a database of Access (.accdb)", TO_CSV),
     mark(b"RDX3\n", "data of R", TO_CSV),
     mark(&[0x37, 0x7f, 6, 0x82], "what SQLite keeps beside a database (-wal)", "open the database itself"),
     // Maps, clouds of points, models.
