@@ -47,12 +47,34 @@ impl OpenFlight {
     }
 }
 
+/// Memory for the encoded pictures of a rendered flight, bytes: some thousand of them. A worker has 4 GB for all.
+const ROOM: usize = 256 << 20;
+
+/// Pictures that were rendered, encoded, as far as there is room for them.
+#[derive(Default)]
+struct Rendered {
+    encoded: BTreeMap<usize, Arc<[u8]>>,
+    /// Bytes that they may have yet.
+    room: usize,
+}
+
+impl Rendered {
+    /// Keeps a picture unless there is no room for it: flights are flown from their beginning, so that those kept first
+    /// are asked for again first, and in place of others they would be gone when they are.
+    fn keep(&mut self, index: usize, encoded: &Arc<[u8]>) {
+        if let Some(room) = self.room.checked_sub(encoded.len()) {
+            self.room = room;
+            self.encoded.insert(index, Arc::clone(encoded));
+        }
+    }
+}
+
 /// Pictures of a flight. Rendered ones are kept encoded once they were asked for, so that flying
-/// again renders nothing anew.
+/// again renders nothing anew, but for those of a long flight for which there is no room.
 pub struct KeptFrames {
     source: Box<dyn FrameSource>,
     names: Vec<String>,
-    encoded: Option<BTreeMap<usize, Arc<[u8]>>>,
+    rendered: Option<Rendered>,
     stated: Option<StatedNavigation>,
 }
 
@@ -60,7 +82,10 @@ impl KeptFrames {
     /// Pictures of `flight` that `source` renders.
     pub fn rendered(flight: &Flight, source: Box<dyn FrameSource>) -> Self {
         Self {
-            encoded: Some(BTreeMap::new()),
+            rendered: Some(Rendered {
+                room: ROOM,
+                ..Rendered::default()
+            }),
             ..Self::stored(flight, source)
         }
     }
@@ -70,7 +95,7 @@ impl KeptFrames {
         Self {
             source,
             names: flight.frames.iter().map(|f| f.name.clone()).collect(),
-            encoded: None,
+            rendered: None,
             stated: None,
         }
     }
@@ -109,14 +134,16 @@ impl KeptFrames {
         Ok((navigator.map_err(|cause| cause.to_string())?, None))
     }
 
-    /// A picture that was rendered before, encoded.
+    /// A picture that was rendered before, encoded, if it is kept.
     pub fn rendered_before(&self, index: usize) -> Option<&[u8]> {
-        self.encoded.as_ref()?.get(&index).map(AsRef::as_ref)
+        let rendered = self.rendered.as_ref()?;
+        rendered.encoded.get(&index).map(AsRef::as_ref)
     }
 
     /// A picture, encoded.
     pub fn kept(&mut self, index: usize) -> Result<Arc<[u8]>, FrameError> {
-        if let Some(encoded) = self.encoded.as_ref().and_then(|kept| kept.get(&index)) {
+        let rendered = self.rendered.as_ref();
+        if let Some(encoded) = rendered.and_then(|kept| kept.encoded.get(&index)) {
             return Ok(encoded.clone());
         }
         if self.stated.is_some() {
@@ -126,8 +153,8 @@ impl KeptFrames {
             });
         }
         let encoded: Arc<[u8]> = self.source.encoded(index)?.into();
-        if let Some(kept) = &mut self.encoded {
-            kept.insert(index, encoded.clone());
+        if let Some(rendered) = &mut self.rendered {
+            rendered.keep(index, &encoded);
         }
         Ok(encoded)
     }
@@ -149,5 +176,47 @@ impl FrameSource for KeptFrames {
     fn another(&self) -> Option<SharedFrames> {
         let is_stored = self.stated.is_none();
         is_stored.then(|| self.source.another()).flatten()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Renders pictures of 1,000 bytes, and counts them.
+    struct Counting(Arc<std::sync::atomic::AtomicUsize>);
+
+    impl FrameSource for Counting {
+        fn picture(&mut self, _: usize) -> Result<Picture, FrameError> {
+            unreachable!("asked for encoded")
+        }
+
+        fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+            self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            Ok(vec![u8::try_from(index).unwrap_or_default(); 1000])
+        }
+    }
+
+    #[test]
+    fn rendered_pictures_are_kept_within_their_room_and_others_are_rendered_again() {
+        let count = Arc::new(std::sync::atomic::AtomicUsize::new(0));
+        let mut frames = KeptFrames {
+            source: Box::new(Counting(Arc::clone(&count))),
+            names: Vec::new(),
+            rendered: Some(Rendered {
+                room: 2500,
+                ..Rendered::default()
+            }),
+            stated: None,
+        };
+        for _ in 0..3 {
+            for index in 0..4 {
+                let encoded = frames.kept(index).unwrap();
+                assert_eq!(encoded[0], u8::try_from(index).unwrap());
+            }
+        }
+        // The first two once, the others each time.
+        assert_eq!(count.load(std::sync::atomic::Ordering::Relaxed), 2 + 3 * 2);
+        assert!(frames.rendered_before(1).is_some() && frames.rendered_before(2).is_none());
     }
 }
