@@ -107,7 +107,7 @@ impl Flown {
     ///
     /// # Panics
     /// If the flight has no truth.
-    pub fn honesty(&self) -> (f64, f64) {
+    pub fn consistency(&self) -> (f64, f64) {
         let truth = self.flight.truth.as_ref().expect("a truth");
         let (mut inside, mut steps, mut largest) = (0, 0, 0.0_f64);
         for step in &self.run.steps {

@@ -206,7 +206,7 @@ fn landmarks_and_failing_instruments_go_on_say_so_and_stay_honest() {
     let from = (60.0, f64::INFINITY);
     let sound = fly(|_| {});
     assert!(sound.doubts().is_empty(), "{:?}", sound.doubts());
-    let (sound, _) = sound.honesty();
+    let (sound, _) = sound.consistency();
     let stuck = fly(|flight| change(flight, &[ChannelName::Airspeed], from, |_, _| 12.0));
     let mute = fly(|flight| drop_samples(flight, &[ChannelName::Heading], (60.0, 75.0)));
     let blind = fly(|flight| drop_samples(flight, &[ChannelName::HeightAboveGround], from));
@@ -225,7 +225,7 @@ fn landmarks_and_failing_instruments_go_on_say_so_and_stay_honest() {
             "height above ground is silent since 61.5",
         ),
     ] {
-        let (inside, worst) = flown.honesty();
+        let (inside, worst) = flown.consistency();
         let doubts = flown.doubts();
         println!(
             "{what}: {:.0} % inside (sound {:.0}), at most {worst:.1} m off; {doubts:?}",
@@ -311,7 +311,7 @@ fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_hones
     ];
     for (what, flown, largest, begin, end) in cases.into_iter().take(either(2, 5)) {
         let flown = flown();
-        let ((inside, worst), doubts) = (flown.honesty(), flown.doubts());
+        let ((inside, worst), doubts) = (flown.consistency(), flown.doubts());
         println!(
             "{what}: {:.0} % inside, at most {worst:.1} m off; {doubts:?}",
             100.0 * inside
@@ -335,7 +335,7 @@ fn late_cameras_are_told_and_punctual_ones_are_not_doubted() {
         let (mut inside, mut told) = (0.0, 0);
         for seed in 1..=seeds {
             let flown = fly_as_stated(name, seed, |flight| delay_frames(flight, lag));
-            inside += flown.honesty().0 / seeds as f64;
+            inside += flown.consistency().0 / seeds as f64;
             told += u64::from(!flown.doubts().is_empty());
         }
         println!(

@@ -1,4 +1,4 @@
-//! Honesty of a prediction: flights beside what was predicted for them.
+//! Calibration of a prediction: flights beside what was predicted for them.
 
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};

@@ -325,15 +325,19 @@ impl RegisteredFrame {
         if nis > threshold {
             // The filter expects such an innovation or a larger one with the probability exp(-NIS / 2).
             let log_expected = -0.5 * nis / std::f64::consts::LN_10;
-            let surprise = &seen.innovation;
-            let factor = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise);
+            let innovation = &seen.innovation;
+            let factor = fading_factor(
+                &innovation.innovation,
+                &innovation.covariance,
+                &innovation.noise,
+            );
             let Some(factor) = factor.filter(|_| self.report.log_false_alarms < log_expected)
             else {
                 self.report.refused_as = Some(RegistrationRefusal::OutsideGate);
                 self.report.refusal = Some(format!(
                     "it lies {:.1} m from where it was expected, outside the gate (NIS {nis:.0} of at most \
                      {threshold:.0}), and may be chance",
-                    surprise.innovation.norm()
+                    innovation.innovation.norm()
                 ));
                 return Ok(None);
             };

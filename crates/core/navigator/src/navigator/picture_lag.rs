@@ -5,7 +5,7 @@
 //! and in turns its heading tells the time. So a few filters are flown beside the first, each of which assumes
 //! another lag. All are shown the same found places; what each makes of them weighs it by Bayes' rule.
 //!
-//! A camera may also begin to be late: a rival that is less likely than that goes on from where the first is.
+//! A camera may also begin to be late: a hypothesis that is less likely than that goes on from where the first is.
 //!
 //! As long as the first is likelier than the share of the truth that its ellipse holds, the others belong to
 //! what is left out. Beyond that the belief that is reported spreads over all of them, and once hardly
@@ -31,7 +31,7 @@ use pilotage_estimation::vehicle::ControlInput;
 const LONGEST: f64 = 2.0;
 /// … and how many of them beside none. Nearer lags differ by less than the noise of the attitudes that are
 /// read at their times, which would decide between them; what lies between two is shared by both.
-const RIVALS: u32 = 4;
+const HYPOTHESES: u32 = 4;
 /// Probability that pictures come late, before anything is seen: of a hundred flights one …
 const LATE: f64 = 1e-2;
 /// … and that they begin to, for each second: of a thousand flights of a hundred seconds one.
@@ -79,7 +79,7 @@ pub struct PictureLag {
     assumed: f64,
     /// Probability of that.
     weight: f64,
-    rivals: Vec<Hypothesis>,
+    hypotheses: Vec<Hypothesis>,
     /// When a picture was shown to all of them last, seconds.
     shown: Option<f64>,
     /// Since when the first lag is doubted, and whether it was given up, seconds.
@@ -90,18 +90,18 @@ pub struct PictureLag {
 impl PictureLag {
     /// Before the first picture, which `engine` takes for punctual.
     pub fn new(engine: &dyn Engine) -> Result<Self, FilterError> {
-        let rival = |number: u32| {
+        let hypothesis = |number: u32| {
             Ok(Hypothesis {
-                lag: LONGEST * f64::from(number) / f64::from(RIVALS),
+                lag: LONGEST * f64::from(number) / f64::from(HYPOTHESES),
                 engine: engine.faded(1.0)?,
-                weight: LATE / f64::from(RIVALS),
+                weight: LATE / f64::from(HYPOTHESES),
                 alone: BTreeMap::new(),
             })
         };
         Ok(Self {
             assumed: 0.0,
             weight: 1.0 - LATE,
-            rivals: (1..=RIVALS).map(rival).collect::<Result<_, _>>()?,
+            hypotheses: (1..=HYPOTHESES).map(hypothesis).collect::<Result<_, _>>()?,
             shown: None,
             doubted: None,
             replaced: None,
@@ -115,40 +115,41 @@ impl PictureLag {
 
     /// Moves the others along as the first; who cannot be moved is no longer asked.
     pub fn predict(&mut self, input: &ControlInput, dt: f64) {
-        self.rivals
-            .retain_mut(|rival| rival.engine.predict(input, dt).is_ok());
+        self.hypotheses
+            .retain_mut(|hypothesis| hypothesis.engine.predict(input, dt).is_ok());
     }
 
-    /// Shows everybody the places `found` in a picture by `seer`, who looks with the first filter, which is
+    /// Shows everybody the places `found` in a picture by `associator`, who looks with the first filter, which is
     /// corrected elsewhere.
     pub fn weigh(
         &mut self,
-        seer: &Associator<'_>,
+        associator: &Associator<'_>,
         onlooker: &Onlooker<'_>,
         found: &[FoundPlace<'_>],
         reports: &[CandidateReport],
     ) -> Result<(), FilterError> {
-        if self.rivals.is_empty() || found.is_empty() {
+        if self.hypotheses.is_empty() || found.is_empty() {
             return Ok(());
         }
-        self.let_begin(seer.engine, onlooker.time)?;
-        let first = seer.seen_by(seer.engine, onlooker.model(self.assumed));
-        let own = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
-        for rival in &mut self.rivals {
-            rival.engine.look_back(onlooker.past(rival.lag));
-            let judge = seer.seen_by(rival.engine.as_ref(), onlooker.model(rival.lag));
-            let places = all_seen_anew(found, seer, &judge);
-            rival.weigh(found, judged(&judge, &places, reports)? - own);
+        self.let_begin(associator.engine, onlooker.time)?;
+        let first = associator.seen_by(associator.engine, onlooker.model(self.assumed));
+        let own = judged(&first, &all_seen_anew(found, associator, &first), reports)?;
+        for hypothesis in &mut self.hypotheses {
+            hypothesis.engine.look_back(onlooker.past(hypothesis.lag));
+            let judge =
+                associator.seen_by(hypothesis.engine.as_ref(), onlooker.model(hypothesis.lag));
+            let places = all_seen_anew(found, associator, &judge);
+            hypothesis.weigh(found, judged(&judge, &places, reports)? - own);
             // Believed and corrected by the readings as they are, as the first: who was corrected by better ones would be the
             // better filter.
-            let model = onlooker.model_as_read(rival.lag);
-            let corrector = seer.seen_by(rival.engine.as_ref(), model);
-            let places = all_seen_anew(found, seer, &corrector);
+            let model = onlooker.model_as_read(hypothesis.lag);
+            let corrector = associator.seen_by(hypothesis.engine.as_ref(), model);
+            let places = all_seen_anew(found, associator, &corrector);
             let (agreed, _, _) = believed(&corrector, &places, &mut reports.to_vec())?;
             if !agreed.is_empty() {
                 let pose = corrector.pose;
-                let seen = observation(seer.settings, &agreed, &model, &pose);
-                seen.correct(rival.engine.as_mut())?;
+                let seen = observation(associator.settings, &agreed, &model, &pose);
+                seen.correct(hypothesis.engine.as_mut())?;
             }
         }
         self.share();
@@ -157,15 +158,15 @@ impl PictureLag {
         Ok(())
     }
 
-    /// Lets the camera begin, by `time` in seconds, to be as late as a rival assumes where that is likelier than
-    /// that it always was: the rival goes on from the first, which is `engine`.
+    /// Lets the camera begin, by `time` in seconds, to be as late as a hypothesis assumes where that is likelier than
+    /// that it always was: the hypothesis goes on from the first, which is `engine`.
     fn let_begin(&mut self, engine: &dyn Engine, time: f64) -> Result<(), FilterError> {
         let since = self.shown.replace(time).map_or(0.0, |shown| time - shown);
-        let begun = self.weight * BEGINS * since / f64::from(RIVALS);
-        for rival in self.rivals.iter_mut().filter(|r| r.weight < begun) {
-            rival.engine = engine.faded(1.0)?;
-            rival.weight = begun;
-            rival.alone.clear();
+        let begun = self.weight * BEGINS * since / f64::from(HYPOTHESES);
+        for hypothesis in self.hypotheses.iter_mut().filter(|h| h.weight < begun) {
+            hypothesis.engine = engine.faded(1.0)?;
+            hypothesis.weight = begun;
+            hypothesis.alone.clear();
         }
         Ok(())
     }
@@ -178,11 +179,11 @@ impl PictureLag {
         observation: &Observation<'_>,
         (at, gate, own): (&ObservedAt<'_>, Gate, f64),
     ) -> Result<(), FilterError> {
-        for rival in &mut self.rivals {
-            at.turn(rival.engine.as_mut(), rival.lag);
-            let taken = take(rival.engine.as_mut(), observation, gate)?;
+        for hypothesis in &mut self.hypotheses {
+            at.turn(hypothesis.engine.as_mut(), hypothesis.lag);
+            let taken = take(hypothesis.engine.as_mut(), observation, gate)?;
             if let (Some(taken), ObservedAt::Now(_)) = (taken, at) {
-                rival.weight *= (taken.log_likelihood - own).exp();
+                hypothesis.weight *= (taken.log_likelihood - own).exp();
             }
         }
         self.share();
@@ -191,10 +192,15 @@ impl PictureLag {
 
     /// Makes the probabilities sum to one.
     fn share(&mut self) {
-        let all = self.weight + self.rivals.iter().map(|rival| rival.weight).sum::<f64>();
+        let all = self.weight
+            + self
+                .hypotheses
+                .iter()
+                .map(|hypothesis| hypothesis.weight)
+                .sum::<f64>();
         self.weight /= all;
-        for rival in &mut self.rivals {
-            rival.weight /= all;
+        for hypothesis in &mut self.hypotheses {
+            hypothesis.weight /= all;
         }
     }
 
@@ -204,8 +210,8 @@ impl PictureLag {
         if self.weight >= UNLIKELY {
             return false;
         }
-        let rivals = self.rivals.iter_mut();
-        let Some(likeliest) = rivals.max_by(|a, b| a.weight.total_cmp(&b.weight)) else {
+        let hypotheses = self.hypotheses.iter_mut();
+        let Some(likeliest) = hypotheses.max_by(|a, b| a.weight.total_cmp(&b.weight)) else {
             return false;
         };
         std::mem::swap(&mut likeliest.engine, engine);
@@ -213,9 +219,9 @@ impl PictureLag {
         std::mem::swap(&mut likeliest.lag, &mut self.assumed);
         // Evidence is against the first, who is another now.
         let for_the_first = std::mem::take(&mut likeliest.alone);
-        for rival in &mut self.rivals {
+        for hypothesis in &mut self.hypotheses {
             for (landmark, evidence) in &for_the_first {
-                *rival.alone.entry(*landmark).or_default() -= evidence;
+                *hypothesis.alone.entry(*landmark).or_default() -= evidence;
             }
         }
         self.replaced.get_or_insert(time);
@@ -233,10 +239,10 @@ impl PictureLag {
         if self.replaced.is_none() && self.weight >= ELLIPSE {
             return None;
         }
-        let rivals = self.rivals.iter();
-        let rivals = rivals.map(|r| (r.weight, r.engine.as_ref(), r.engine.state(), r.lag));
+        let hypotheses = self.hypotheses.iter();
+        let hypotheses = hypotheses.map(|h| (h.weight, h.engine.as_ref(), h.engine.state(), h.lag));
         let own = (self.weight, engine, first.clone(), self.assumed);
-        let beliefs: Vec<(f64, Estimate)> = rivals
+        let beliefs: Vec<(f64, Estimate)> = hypotheses
             .chain([own])
             .map(|(weight, engine, belief, lag)| {
                 (weight, spread_over_cell(belief, engine, (lag, &past(lag))))
@@ -257,16 +263,19 @@ impl PictureLag {
 
     /// Begins anew from `engine`, but keeps what the lags are worth.
     pub fn restart(&mut self, engine: &dyn Engine) -> Result<(), FilterError> {
-        for rival in &mut self.rivals {
-            rival.engine = engine.faded(1.0)?;
+        for hypothesis in &mut self.hypotheses {
+            hypothesis.engine = engine.faded(1.0)?;
         }
         Ok(())
     }
 
     /// Doubt about the lag of the pictures, if there is one.
     pub fn doubt(&self) -> Option<Doubt> {
-        let mean = |sum, rival: &Hypothesis| sum + rival.weight * rival.lag;
-        let late = self.rivals.iter().fold(self.weight * self.assumed, mean);
+        let mean = |sum, hypothesis: &Hypothesis| sum + hypothesis.weight * hypothesis.lag;
+        let late = self
+            .hypotheses
+            .iter()
+            .fold(self.weight * self.assumed, mean);
         let (why, since) = match (self.replaced, self.doubted) {
             (Some(since), _) => (SensorFault::Late { by: late }, since),
             (None, Some(since)) if self.weight < ELLIPSE => (SensorFault::MayBeLate, since),
@@ -292,7 +301,7 @@ fn spread_over_cell(
             |state, (input, dt): &(ControlInput, f64)| engine.dead_reckon(&state, input, -dt);
         let then = past.iter().fold(belief.mean.clone(), back);
         let way = belief.mean.fixed_rows::<2>(0) - then.fixed_rows::<2>(0);
-        let off = way * (LONGEST / f64::from(RIVALS) / lag);
+        let off = way * (LONGEST / f64::from(HYPOTHESES) / lag);
         let mut position = belief.covariance.fixed_view_mut::<2, 2>(0, 0);
         position += off * off.transpose() / 12.0;
     }
@@ -322,9 +331,9 @@ fn judged(
     let without = all.iter().filter(|m| !is_agreed(m.report));
     let mut apart: f64 = without.map(|m| reports[m.report].threshold).sum();
     if !agreed.is_empty() {
-        apart += judge.surprise(&agreed)?.nis()?;
+        apart += judge.innovation(&agreed)?.nis()?;
     }
-    judge.surprise(&all)?.log_likelihood(apart)
+    judge.innovation(&all)?.log_likelihood(apart)
 }
 
 /// Places that were `found` by `from`, for `to`, who assumes another pose.

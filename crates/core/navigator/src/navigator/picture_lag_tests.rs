@@ -21,15 +21,15 @@ fn a_landmark_that_is_seen_alone_again_and_again_says_no_more_than_that_it_may_b
     );
     let place: SightedPlace = (Vector4::zeros(), Matrix4::identity());
     let mut lag = PictureLag::new(start().as_ref()).unwrap();
-    let rival = &mut lag.rivals[0];
-    let before = rival.weight;
+    let hypothesis = &mut lag.hypotheses[0];
+    let before = hypothesis.weight;
     for _ in 0..20 {
-        rival.weigh(&[(&one, 0, place)], 3.0);
+        hypothesis.weigh(&[(&one, 0, place)], 3.0);
     }
-    assert!((rival.weight / before / ODDS_OF_ONE - 1.0).abs() < 1e-9);
-    rival.weigh(&[(&other, 0, place)], 2.0);
-    rival.weigh(&[(&one, 0, place), (&other, 1, place)], 1.0);
-    let odds = (rival.weight / before).ln();
+    assert!((hypothesis.weight / before / ODDS_OF_ONE - 1.0).abs() < 1e-9);
+    hypothesis.weigh(&[(&other, 0, place)], 2.0);
+    hypothesis.weigh(&[(&one, 0, place), (&other, 1, place)], 1.0);
+    let odds = (hypothesis.weight / before).ln();
     assert!((odds - ODDS_OF_ONE.ln() - 3.0).abs() < 1e-9, "{odds}");
 }
 
@@ -39,14 +39,14 @@ fn a_lag_that_was_ruled_out_may_begin_later_and_goes_on_from_the_first() {
     let mut lag = PictureLag::new(first.as_ref()).unwrap();
     let ahead = ControlInput::new(18.0, Attitude::level(0.0));
     first.predict(&ahead, 1.0).unwrap();
-    let likely = lag.rivals[1].weight;
-    lag.rivals[0].weight = 1e-30;
-    lag.rivals[0].alone.insert(7, -60.0);
+    let likely = lag.hypotheses[1].weight;
+    lag.hypotheses[0].weight = 1e-30;
+    lag.hypotheses[0].alone.insert(7, -60.0);
     for time in [4.0, 14.0] {
         lag.let_begin(first.as_ref(), time).unwrap();
     }
-    let begun = &lag.rivals[0];
-    let expected = (1.0 - LATE) * BEGINS * 10.0 / f64::from(RIVALS);
+    let begun = &lag.hypotheses[0];
+    let expected = (1.0 - LATE) * BEGINS * 10.0 / f64::from(HYPOTHESES);
     assert!(
         (begun.weight / expected - 1.0).abs() < 1e-9,
         "{}",
@@ -55,8 +55,8 @@ fn a_lag_that_was_ruled_out_may_begin_later_and_goes_on_from_the_first() {
     assert_eq!(begun.engine.state(), first.state());
     assert!(begun.alone.is_empty());
     // One that is likelier than that keeps its own belief.
-    assert_eq!(lag.rivals[1].weight, likely);
-    assert_eq!(lag.rivals[1].engine.state(), start().state());
+    assert_eq!(lag.hypotheses[1].weight, likely);
+    assert_eq!(lag.hypotheses[1].engine.state(), start().state());
 }
 
 #[test]
@@ -69,16 +69,18 @@ fn a_punctual_camera_leaves_the_belief_as_it_is() {
             .is_none()
     );
     assert!(lag.doubt().is_none() && !lag.replace(&mut engine, time));
-    assert!((lag.weight + lag.rivals.iter().map(|r| r.weight).sum::<f64>() - 1.0).abs() < 1e-12);
+    assert!(
+        (lag.weight + lag.hypotheses.iter().map(|h| h.weight).sum::<f64>() - 1.0).abs() < 1e-12
+    );
 }
 
 #[test]
 fn beliefs_are_mixed_while_a_lag_may_be_and_one_gives_way_that_hardly_can() {
     let mut first = start();
     let mut lag = PictureLag::new(first.as_ref()).unwrap();
-    // One rival, as likely as the first, believes to be 18 m farther north.
-    lag.rivals.truncate(1);
-    lag.rivals[0].weight = 0.5;
+    // One hypothesis, as likely as the first, believes to be 18 m farther north.
+    lag.hypotheses.truncate(1);
+    lag.hypotheses[0].weight = 0.5;
     lag.weight = 0.5;
     lag.doubted = Some(2.0);
     let ahead = ControlInput::new(18.0, Attitude::level(0.0));
@@ -95,14 +97,14 @@ fn beliefs_are_mixed_while_a_lag_may_be_and_one_gives_way_that_hardly_can() {
         (80.0..120.0).contains(&(north - state.covariance[(0, 0)])),
         "{north}"
     );
-    // The rival stands for lags of 0.5 s and their neighbours, over 18 · 0.5 m of its way, whatever the filters look at.
+    // The hypothesis stands for lags of 0.5 s and their neighbours, over 18 · 0.5 m of its way, whatever the filters look at.
     let cell = north
         - lag
             .together(first.as_ref(), &state, &|_| Vec::new())
             .unwrap()
             .covariance[(0, 0)];
     assert!((cell - 0.5 * 81.0 / 12.0).abs() < 1e-6, "{cell}");
-    lag.rivals[0].engine.look_now(&ahead);
+    lag.hypotheses[0].engine.look_now(&ahead);
     assert_eq!(lag.together(first.as_ref(), &state, &past), Some(together));
     assert_eq!(
         lag.doubt().unwrap().words(),

@@ -21,7 +21,7 @@ use super::observation::Observation;
 use super::onlooker::Onlooker;
 use super::picture_lag::PictureLag;
 use super::possible_places::PossiblePlaces;
-use super::recovery::{Opinion, Recovery, reconsider};
+use super::recovery::{Recovery, RecoveryVerdict, reconsider};
 use super::see::{Associator, Measurement, observation};
 use super::ticks::{Tick, ticks};
 use super::{
@@ -72,7 +72,7 @@ pub struct Navigator {
     landmarks: Vec<Landmark>,
     settings: NavigatorSettings,
     engine: Box<dyn Engine>,
-    second: Option<Recovery>,
+    recovery: Option<Recovery>,
     /// Estimate of the pictures' lag; none where whole frames are laid.
     lag: Option<PictureLag>,
     /// Knowledge of a turned compass; none where whole frames are laid.
@@ -244,7 +244,7 @@ impl Navigator {
             landmarks: landmarks.to_vec(),
             settings,
             engine,
-            second: None,
+            recovery: None,
             lag,
             heading,
             detector,
@@ -351,12 +351,12 @@ impl Navigator {
         let control = Control::of(&self.flight, time);
         if let Some(lag) = &mut self.lag {
             if lag.replace(&mut self.engine, self.time) {
-                self.second = None;
+                self.recovery = None;
             }
             lag.predict(&input, dt);
         }
         let predicted = self.engine.predict(&input, dt)?;
-        self.second = self.second.take().and_then(|s| s.moved(&input, dt));
+        self.recovery = self.recovery.take().and_then(|s| s.moved(&input, dt));
         self.possible.moved(&input, dt);
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
         if let Some(heading) = &mut self.heading {
@@ -461,8 +461,8 @@ impl Navigator {
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
         let looked = (index, &self.looks);
-        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, looked);
-        !seer.candidates(&self.landmarks).is_empty()
+        let associator = Associator::new(&self.settings, self.engine.as_ref(), model, looked);
+        !associator.candidates(&self.landmarks).is_empty()
     }
 
     fn blind(&self, index: usize, trouble: Option<String>) -> FrameReport {
@@ -496,20 +496,21 @@ impl Navigator {
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
         let looked = (index, &self.looks);
-        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, looked);
-        let (pose, candidates) = (seer.pose, seer.candidates(&self.landmarks));
+        let associator = Associator::new(&self.settings, self.engine.as_ref(), model, looked);
+        let (pose, candidates) = (associator.pose, associator.candidates(&self.landmarks));
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
         let (mut found, mut doubtful, mut refused) = (Vec::new(), Vec::new(), Vec::new());
         for (landmark, mut candidate) in candidates {
-            let place = seer.look(landmark, &mut candidate, &luminance, self.detector.as_mut());
+            let place =
+                associator.look(landmark, &mut candidate, &luminance, self.detector.as_mut());
             let is_doubtful = candidate.outcome == Outcome::Refused(Refusal::LookAlike);
             let number = reports.len();
             match place {
                 Some(place) if is_doubtful => doubtful.push((landmark, number, place)),
                 Some(place) => {
                     found.push((landmark, number, place));
-                    match seer.judge(landmark, &mut candidate, number, place) {
+                    match associator.judge(landmark, &mut candidate, number, place) {
                         Some(measurement) => measurements.push(measurement),
                         None => refused.push((landmark, number, place)),
                     }
@@ -526,16 +527,16 @@ impl Navigator {
                 camera: &camera,
                 time: self.time,
             };
-            lag.weigh(&seer, &onlooker, &found, &reports)?;
+            lag.weigh(&associator, &onlooker, &found, &reports)?;
         }
-        let agreed = seer.agree(measurements, &mut reports)?;
-        let mut agreed = seer.confirm(agreed, doubtful, &mut reports)?;
+        let agreed = associator.agree(measurements, &mut reports)?;
+        let mut agreed = associator.confirm(agreed, doubtful, &mut reports)?;
         let mut recovered = None;
         if agreed.0.is_empty() {
-            let second = self.second.take();
-            match reconsider(second, &seer, &refused, &mut reports) {
-                Opinion::Unsure(second) => self.second = second,
-                Opinion::TakesOver {
+            let recovery = self.recovery.take();
+            match reconsider(recovery, &associator, &refused, &mut reports) {
+                RecoveryVerdict::Unsure(recovery) => self.recovery = recovery,
+                RecoveryVerdict::TakesOver {
                     engine,
                     fading,
                     step,
@@ -551,7 +552,7 @@ impl Navigator {
                 }
             }
         } else {
-            self.second = None;
+            self.recovery = None;
         }
         let (agreed, nis, threshold) = agreed;
         let (mut joint, mut taken) = (None, None);

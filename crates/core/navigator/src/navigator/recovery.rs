@@ -2,10 +2,10 @@
 //!
 //! A wrong correction that passed its gate, a shake of the camera far out in its tail, leaves a belief
 //! that is surer than it may be: the right places of the next landmarks then lie outside their gates,
-//! for good. So a refused place founds a second opinion: the same filter with its covariance faded as
+//! for good. So a refused place founds a recovery: the same filter with its covariance faded as
 //! much as that place makes likeliest ([`fading_factor`]). It is moved along, eats nothing but what the
 //! first refuses, and takes over when, in another frame, it believes another landmark's place that the
-//! first refuses too. Once the first believes a landmark again, the second is dropped.
+//! first refuses too. Once the first believes a landmark again, the recovery is dropped.
 //!
 //! One wrong place can be wrong again, in the same way, of the same landmark, and two landmarks in one
 //! frame share its shake: neither convinces.
@@ -30,15 +30,15 @@ pub struct Recovery {
     step: Option<PredictedStep>,
 }
 
-/// Verdict of a second opinion on a frame in which the first believes nothing.
-pub enum Opinion<'l> {
+/// Verdict of the recovery on a frame in which the first believes nothing.
+pub enum RecoveryVerdict<'l> {
     /// Nothing that convinces.
     Unsure(Option<Recovery>),
-    /// The second is right: its filter, before this frame, and what it believes of the frame.
+    /// The recovery is right: its filter, before this frame, and what it believes of the frame.
     TakesOver {
         /// The filter that goes on.
         engine: Box<dyn Engine>,
-        /// Factor on the covariance of the first when the second was founded.
+        /// Factor on the covariance of the first when the recovery was founded.
         fading: f64,
         /// The prediction that brought it here.
         step: Option<PredictedStep>,
@@ -71,78 +71,92 @@ impl Recovery {
     }
 }
 
-/// Shows a frame's `refused` places to the second opinion, if there is one, or founds one.
+/// Shows a frame's `refused` places to the recovery, if there is one, or founds one.
 ///
-/// `seer` looks with the first opinion; `reports` change only when the second takes over. A second opinion
+/// `associator` looks with the first filter; `reports` change only when the recovery takes over. A recovery
 /// whose filter cannot go on is dropped.
 pub fn reconsider<'l>(
-    second: Option<Recovery>,
-    seer: &Associator<'_>,
+    recovery: Option<Recovery>,
+    associator: &Associator<'_>,
     refused: &[FoundPlace<'l>],
     reports: &mut Vec<CandidateReport>,
-) -> Opinion<'l> {
-    weigh(second, seer, refused, reports).unwrap_or(Opinion::Unsure(None))
+) -> RecoveryVerdict<'l> {
+    weigh(recovery, associator, refused, reports).unwrap_or(RecoveryVerdict::Unsure(None))
 }
 
 fn weigh<'l>(
-    second: Option<Recovery>,
-    seer: &Associator<'_>,
+    recovery: Option<Recovery>,
+    associator: &Associator<'_>,
     refused: &[FoundPlace<'l>],
     reports: &mut Vec<CandidateReport>,
-) -> Result<Opinion<'l>, FilterError> {
+) -> Result<RecoveryVerdict<'l>, FilterError> {
     if refused.is_empty() {
-        return Ok(Opinion::Unsure(second));
+        return Ok(RecoveryVerdict::Unsure(recovery));
     }
-    let Some(mut second) = second else {
-        return founded(seer, refused, reports).map(Opinion::Unsure);
+    let Some(mut recovery) = recovery else {
+        return founded(associator, refused, reports).map(RecoveryVerdict::Unsure);
     };
     let mut judged = reports.clone();
     let agreed = believed(
-        &seer.judged_by(second.engine.as_ref()),
+        &associator.judged_by(recovery.engine.as_ref()),
         refused,
         &mut judged,
     )?;
-    let another = |id: u32| second.landmarks.iter().any(|known| *known != id);
+    let another = |id: u32| recovery.landmarks.iter().any(|known| *known != id);
     if agreed.0.iter().any(|m| another(m.landmark.id)) {
         *reports = judged;
-        return Ok(Opinion::TakesOver {
-            engine: second.engine,
-            fading: second.fading,
-            step: second.step,
+        return Ok(RecoveryVerdict::TakesOver {
+            engine: recovery.engine,
+            fading: recovery.fading,
+            step: recovery.step,
             agreed,
         });
     }
     if agreed.0.is_empty() {
-        return founded(seer, refused, reports).map(Opinion::Unsure);
+        return founded(associator, refused, reports).map(RecoveryVerdict::Unsure);
     }
-    let seen = observation(seer.settings, &agreed.0, &seer.model, &seer.pose);
-    seen.correct(second.engine.as_mut())?;
-    Ok(Opinion::Unsure(Some(second)))
+    let seen = observation(
+        associator.settings,
+        &agreed.0,
+        &associator.model,
+        &associator.pose,
+    );
+    seen.correct(recovery.engine.as_mut())?;
+    Ok(RecoveryVerdict::Unsure(Some(recovery)))
 }
 
-/// A second opinion that believes the least surprising of the refused places, and those that agree.
+/// A recovery that believes the least surprising of the refused places, and those that agree.
 fn founded(
-    seer: &Associator<'_>,
+    associator: &Associator<'_>,
     refused: &[FoundPlace<'_>],
     reports: &[CandidateReport],
 ) -> Result<Option<Recovery>, FilterError> {
     let nis = |place: &&FoundPlace<'_>| reports[place.1].nis.unwrap_or(f64::INFINITY);
     let least = refused.iter().min_by(|a, b| nis(a).total_cmp(&nis(b)));
-    let Some(measurement) = least.and_then(|(l, i, place)| seer.measurement(l, *i, *place)) else {
-        return Ok(None);
-    };
-    let surprise = seer.surprise(&[measurement])?;
-    let Some(fading) = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise)
+    let Some(measurement) = least.and_then(|(l, i, place)| associator.measurement(l, *i, *place))
     else {
         return Ok(None);
     };
-    let mut engine = seer.engine.faded(fading)?;
-    let judge = seer.judged_by(engine.as_ref());
+    let innovation = associator.innovation(&[measurement])?;
+    let Some(fading) = fading_factor(
+        &innovation.innovation,
+        &innovation.covariance,
+        &innovation.noise,
+    ) else {
+        return Ok(None);
+    };
+    let mut engine = associator.engine.faded(fading)?;
+    let judge = associator.judged_by(engine.as_ref());
     let (agreed, _, _) = believed(&judge, refused, &mut reports.to_vec())?;
     if agreed.is_empty() {
         return Ok(None);
     }
-    let seen = observation(seer.settings, &agreed, &seer.model, &seer.pose);
+    let seen = observation(
+        associator.settings,
+        &agreed,
+        &associator.model,
+        &associator.pose,
+    );
     seen.correct(engine.as_mut())?;
     Ok(Some(Recovery {
         engine,

@@ -379,10 +379,10 @@ impl<'a> Associator<'a> {
         place: SightedPlace,
     ) -> Option<Measurement<'l>> {
         let measurement = self.measurement(landmark, index, place)?;
-        let surprise = self.surprise(std::slice::from_ref(&measurement)).ok()?;
-        let nis = surprise.nis().ok()?;
-        report.innovation = Some(surprise.innovation.fixed_rows::<2>(0).into_owned());
-        let covariance = surprise.covariance.fixed_view::<2, 2>(0, 0);
+        let innovation = self.innovation(std::slice::from_ref(&measurement)).ok()?;
+        let nis = innovation.nis().ok()?;
+        report.innovation = Some(innovation.innovation.fixed_rows::<2>(0).into_owned());
+        let covariance = innovation.covariance.fixed_view::<2, 2>(0, 0);
         report.innovation_covariance = covariance.into_owned();
         report.nis = Some(nis);
         report.threshold = self.gate().threshold(measurement.degrees());
@@ -423,7 +423,7 @@ impl<'a> Associator<'a> {
     }
 
     /// Joint innovation of several landmarks against where they are expected.
-    pub fn surprise(
+    pub fn innovation(
         &self,
         measurements: &[Measurement<'_>],
     ) -> Result<GaussianInnovation, FilterError> {
@@ -445,7 +445,7 @@ impl<'a> Associator<'a> {
             if measurements.is_empty() {
                 return Ok((measurements, 0.0, 0.0));
             }
-            let nis = self.surprise(&measurements)?.nis()?;
+            let nis = self.innovation(&measurements)?.nis()?;
             let threshold = gate.threshold(degrees(&measurements));
             if nis <= threshold {
                 return Ok((measurements, nis, threshold));
@@ -456,7 +456,7 @@ impl<'a> Associator<'a> {
                 let mut best: Option<(f64, usize)> = None;
                 for i in 0..measurements.len() {
                     let left_out = measurements.remove(i);
-                    let nis = self.surprise(&measurements)?.nis()?;
+                    let nis = self.innovation(&measurements)?.nis()?;
                     if best.is_none_or(|(least, _)| nis < least) {
                         best = Some((nis, left_out.report));
                     }
@@ -487,7 +487,7 @@ impl<'a> Associator<'a> {
                 continue;
             };
             agreed.push(measurement);
-            let with = self.surprise(&agreed)?.nis()?;
+            let with = self.innovation(&agreed)?.nis()?;
             let most = self.gate().threshold(degrees(&agreed));
             if with <= most {
                 (nis, threshold) = (with, most);

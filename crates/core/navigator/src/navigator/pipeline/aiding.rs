@@ -100,8 +100,8 @@ impl Navigator {
             if let Some(lag) = &mut self.lag {
                 lag.take(told, (&at, gate, own))?;
             }
-            if let Some(second) = &mut self.second {
-                second.take(told, (&at, lag_of_pictures, gate))?;
+            if let Some(recovery) = &mut self.recovery {
+                recovery.take(told, (&at, lag_of_pictures, gate))?;
             }
             self.possible.take(told, (&at, gate, own))?;
             report.updates.push(UpdateReport::of(aid.key, told, &taken));

@@ -113,7 +113,7 @@ impl Navigator {
             time = next;
         }
         self.engine = engine;
-        self.second = None;
+        self.recovery = None;
         Ok(last)
     }
 
@@ -124,8 +124,8 @@ impl Navigator {
         };
         let camera = self.flight.camera_of_frame(index);
         let past = self.onlooker(&camera).past(lag);
-        if let Some(second) = &mut self.second {
-            second.look_back(past.clone());
+        if let Some(recovery) = &mut self.recovery {
+            recovery.look_back(past.clone());
         }
         self.engine.look_back(past);
     }

@@ -27,7 +27,7 @@ impl Navigator {
         let seen = stopwatch();
         let corrected = joint.is_some();
         if corrected {
-            self.second = None;
+            self.recovery = None;
             self.possible
                 .settle(&self.settings, &report.after, &follower)?;
         }
