@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pilotage_core::flight::{ChannelName, Flight, NoPictures};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{
-    Instruments, OutagePlan, ReckonSettings, ReckoningWay, reckon, study_cuts,
+    Instruments, OutagePlan, ReckonSettings, ReckoningWay, reckon, study_outages,
 };
 use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings};
 use pilotage_core::simulate::{FlightDay, Scenario};
@@ -21,15 +21,15 @@ fn x8() -> Option<Flight> {
     Some(folder.flight)
 }
 
-/// Results of cuts of 30 s through the flight.
+/// Results of outages of 30 s through the flight.
 struct Outcome {
     median: f64,
     covered: f64,
-    cuts: usize,
+    outages: usize,
     titles: Vec<String>,
 }
 
-/// Cuts that end outside `without`, where what is held against them is wrong itself.
+/// Outages that end outside `without`, where what is held against them is wrong itself.
 fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
     let plan = OutagePlan {
@@ -39,11 +39,11 @@ fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
     };
     let settings = ReckonSettings::default();
     let way = ReckoningWay::air_and_wind();
-    let mut study = study_cuts(&instruments, &way, &plan, &settings, &mut |_| true)
+    let mut study = study_outages(&instruments, &way, &plan, &settings, &mut |_| true)
         .expect("the filter goes on");
     study
-        .cuts
-        .retain(|cut| !(without.0..=without.1).contains(&cut.to));
+        .outages
+        .retain(|outage| !(without.0..=without.1).contains(&outage.to));
     let (begin, end) = instruments.stretch;
     let middle = 0.5 * (begin + end);
     let found = reckon(
@@ -62,12 +62,12 @@ fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
     let outcome = Outcome {
         median: study.error_quantile(0.5),
         covered: study.covered(),
-        cuts: study.cuts.len(),
+        outages: study.outages.len(),
         titles,
     };
     println!(
-        "{what}: {} cuts, median {:.1} m, {:.0} % inside; {:?}",
-        outcome.cuts,
+        "{what}: {} outages, median {:.1} m, {:.0} % inside; {:?}",
+        outcome.outages,
         outcome.median,
         100.0 * outcome.covered,
         outcome.titles
@@ -194,10 +194,14 @@ fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
             "{what}: nothing of \"{said}\" in {:?}",
             found.titles
         );
-        // Cuts of 30 s every 5 or 10 s overlap: about nine of them are independent.
+        // Outages of 30 s every 5 or 10 s overlap: about nine of them are independent.
         assert!(found.covered >= 0.8, "{what}: {} inside", found.covered);
         assert!(found.median < 30.0, "{what}: {} m", found.median);
-        assert!(found.cuts + 12 > sound.cuts, "{what}: {} cuts", found.cuts);
+        assert!(
+            found.outages + 12 > sound.outages,
+            "{what}: {} outages",
+            found.outages
+        );
     }
 }
 

@@ -13,7 +13,7 @@ use crate::workers::{self, Lent};
 pub fn study(flight: &Flight, run: Option<&Run>, seconds: f64) -> CommandResult {
     let order = OutageOrder {
         flight: Lent::flight(),
-        cut: Outage::AllAlong(seconds),
+        outage: Outage::AllAlong(seconds),
         seen: run.and_then(OutageOrder::seen_by),
     };
     let lent = Lent::default().with_flight(&OpenFlight::without_pictures(flight.clone()));
@@ -33,7 +33,7 @@ fn print(study: &OutageStudy) {
     println!(
         "    {:32} {:4} outages, off at the end {:6.1} m median, {:6.1} m in 90 %; the 95 % ellipse holds {:.0} %",
         study.label,
-        study.cuts.len(),
+        study.outages.len(),
         study.error_quantile(0.5),
         study.error_quantile(0.9),
         100.0 * study.covered()

@@ -2,7 +2,7 @@
 
 use pilotage_core::instruments::{
     BeliefTrack, GpsWindSettings, Instruments, OutagePlan, OutageStudy, ReckonSettings, Reckoning,
-    ReckoningWay, WindComparison, reckon, study_cuts,
+    ReckoningWay, WindComparison, reckon, study_outages,
 };
 
 use super::order::{Order, Urgency, WorkerRole, keys_of};
@@ -50,7 +50,7 @@ impl OutageOrder {
     /// The ways that are shown side by side.
     fn ways(&self, instruments: &Instruments) -> Vec<ReckoningWay> {
         let mut ways = vec![ReckoningWay::air_and_wind(), ReckoningWay::plain()];
-        if matches!(self.cut, Outage::Stretch(..)) {
+        if matches!(self.outage, Outage::Stretch(..)) {
             ways.push(ReckoningWay::gps_throughout());
         }
         if let Some((label, fixes)) = &self.seen {
@@ -63,13 +63,13 @@ impl OutageOrder {
     }
 }
 
-/// The part of `cut` in which the aircraft flies, and has flown for a moment; all times are seconds.
-fn in_the_air((begin, end): (f64, f64), cut: (f64, f64)) -> Option<(f64, f64)> {
-    let (from, to) = (cut.0.max(begin + BEFORE), cut.1.min(end));
+/// The part of `outage` in which the aircraft flies, and has flown for a moment; all times are seconds.
+fn in_the_air((begin, end): (f64, f64), outage: (f64, f64)) -> Option<(f64, f64)> {
+    let (from, to) = (outage.0.max(begin + BEFORE), outage.1.min(end));
     (to - from >= SHORTEST).then_some((from, to))
 }
 
-/// A cut that is being made: events `Progress`, at the end `OutageMade` or `OutagesStudied`. Of cuts all along the flight
+/// An outage that is being made: events `Progress`, at the end `OutageMade` or `OutagesStudied`. Of outages all along the flight
 /// one way to navigate is a slice.
 pub struct MakeOutage {
     order: OutageOrder,
@@ -89,7 +89,7 @@ impl MakeOutage {
     }
 }
 
-/// All ways through one cut.
+/// All ways through one outage.
 fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> OutageReport {
     let mut remarks: Vec<String> = Vec::new();
     let of_ways = made.tracks.iter().flat_map(|t| &t.findings);
@@ -128,7 +128,7 @@ impl RunningJob for MakeOutage {
         let Some((instruments, name)) = &self.instruments else {
             let flight = worker.flight(&self.order.flight)?;
             let flight = flight.borrow().flight.clone();
-            let time = match self.order.cut {
+            let time = match self.order.outage {
                 Outage::Stretch(from, _) => Some(from),
                 Outage::AllAlong(_) => None,
             };
@@ -141,7 +141,7 @@ impl RunningJob for MakeOutage {
             emit(JobEvent::Progress(share as f32, words.to_owned()));
             true
         };
-        let made = match self.order.cut {
+        let made = match self.order.outage {
             Outage::Stretch(from, to) => {
                 let Some(span) = in_the_air(instruments.stretch, (from, to)) else {
                     return Err(format!(
@@ -174,9 +174,9 @@ impl RunningJob for MakeOutage {
                         ..OutagePlan::default()
                     };
                     let mut goes_on = |share| tell(share, &way.label);
-                    let study = study_cuts(instruments, way, &plan, &settings, &mut goes_on);
+                    let study = study_outages(instruments, way, &plan, &settings, &mut goes_on);
                     let study = study.map_err(|cause| cause.to_string())?;
-                    if study.cuts.is_empty() {
+                    if study.outages.is_empty() {
                         let (start, end) = instruments.stretch;
                         let air = end - start;
                         return Err(format!(

@@ -8,7 +8,7 @@ use pilotage_core::flight::{Channel, ChannelName, Flight, StartFix};
 use pilotage_core::frames::{GroundPoint, wrap_pi};
 use pilotage_core::instruments::{
     Instruments, OutagePlan, OutageStudy, ReckonSettings, ReckoningWay, likeliest, reckon,
-    rolling_track, study_cuts,
+    rolling_track, study_outages,
 };
 use pilotage_tests::recorded;
 
@@ -20,7 +20,7 @@ fn flight(name: &str) -> Option<Flight> {
     Some(folder.flight)
 }
 
-/// Cuts of `length` seconds, one every `every` seconds of the flight.
+/// Outages of `length` seconds, one every `every` seconds of the flight.
 fn study(flight: &Flight, way: &ReckoningWay, length: f64, every: f64) -> OutageStudy {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
     let plan = OutagePlan {
@@ -29,14 +29,14 @@ fn study(flight: &Flight, way: &ReckoningWay, length: f64, every: f64) -> Outage
         ..OutagePlan::default()
     };
     let settings = ReckonSettings::default();
-    let study = study_cuts(&instruments, way, &plan, &settings, &mut |_| true);
+    let study = study_outages(&instruments, way, &plan, &settings, &mut |_| true);
     let study = study.expect("the filter goes on");
     let (median, ninety) = (study.error_quantile(0.5), study.error_quantile(0.9));
     let covered = 100.0 * study.covered();
     println!(
-        "{}, {length} s: {} cuts, median {median:.1} m, 90 % {ninety:.1} m, {covered:.0} % inside",
+        "{}, {length} s: {} outages, median {median:.1} m, 90 % {ninety:.1} m, {covered:.0} % inside",
         study.label,
-        study.cuts.len()
+        study.outages.len()
     );
     study
 }
@@ -51,7 +51,7 @@ fn a_minute_without_gps_costs_less_than_42_metres_in_half_of_the_cuts() {
         ReckoningWay::by_logged_heading(),
     ] {
         let study = study(&flight, &way, 60.0, 2.0);
-        assert!(study.cuts.len() > 100, "{} cuts", study.cuts.len());
+        assert!(study.outages.len() > 100, "{} outages", study.outages.len());
         assert!(study.error_quantile(0.5) <= 36.0 && study.error_quantile(0.9) <= 62.0);
         assert!(
             (0.85..=1.0).contains(&study.covered()),
@@ -75,15 +75,15 @@ fn by_the_gyros_heading_it_costs_less_than_52() {
     );
 }
 
-/// Cuts by the plain filter, with the noise that makes their ends likeliest.
+/// Outages by the plain filter, with the noise that makes their ends likeliest.
 fn tuned_to_ends(flight: &Flight) -> OutageStudy {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
-    let cut = |noise: &[f64]| {
+    let outages = |noise: &[f64]| {
         let mut settings = ReckonSettings::default();
         settings.plain.air_data.position_noise_density = noise[0];
         settings.plain.wind_noise_density = noise[1];
         let plan = OutagePlan::default();
-        let study = study_cuts(
+        let study = study_outages(
             &instruments,
             &ReckoningWay::plain(),
             &plan,
@@ -97,8 +97,8 @@ fn tuned_to_ends(flight: &Flight) -> OutageStudy {
         plain.air_data.position_noise_density,
         plain.wind_noise_density,
     ];
-    let (noise, _) = likeliest(&start, TUNING, |noise| cut(noise).end_log_likelihood());
-    let study = cut(&noise);
+    let (noise, _) = likeliest(&start, TUNING, |noise| outages(noise).end_log_likelihood());
+    let study = outages(&noise);
     println!(
         "plain, ends likeliest by {:.2} m/√s and {:.3} m/s/√s: median {:.1} m, 90 % {:.1} m, {:.0} % inside",
         noise[0],
@@ -126,7 +126,7 @@ fn delays_pitch_gusts_and_sideslip_halve_the_errors_of_the_plain_filter() {
     let by_innovations = study(&flight, &ReckoningWay::plain(), 60.0, 2.0);
     let (median, ninety) = beside(&by_innovations);
     assert!(median <= 0.6 && ninety <= 0.6, "{median} {ninety}");
-    // Noise that fits the ends of these very cuts, beside noise from before each: what is left there is mostly how the
+    // Noise that fits the ends of these very outages, beside noise from before each: what is left there is mostly how the
     // wind itself changes, which no filter knows beforehand (docs/results.md), so that half is not reached.
     let by_ends = tuned_to_ends(&flight);
     let (median, ninety) = beside(&by_ends);
@@ -143,18 +143,19 @@ fn a_heading_that_its_gyros_contradict_is_told_and_not_believed() {
     assert!(study.covered() >= 0.85, "{}", study.covered());
     let instruments = Instruments::of(&flight, None).expect("it has instruments");
     let (begin, end) = instruments.stretch;
-    let cut = (0.5 * (begin + end), 0.5 * (begin + end) + 30.0);
+    let outage = (0.5 * (begin + end), 0.5 * (begin + end) + 30.0);
     let ways = [ReckoningWay::air_and_wind(), ReckoningWay::gps_throughout()];
     let settings = ReckonSettings::default();
-    let found = reckon(&instruments, cut, &ways, &settings, |_| true).expect("the filter goes on");
+    let found =
+        reckon(&instruments, outage, &ways, &settings, |_| true).expect("the filter goes on");
     let titles: Vec<&str> = found.findings.iter().map(|f| f.title.as_str()).collect();
     let is_told = |title: &&str| title.contains("disagree by");
     assert!(titles.iter().any(is_told), "{titles:?}");
     // Where satellite navigation goes on, its track is followed.
-    let aided = &found.tracks[1].growth(cut);
+    let aided = &found.tracks[1].growth(outage);
     let worst = aided.iter().filter_map(|g| g.error).fold(0.0, f64::max);
     assert!(worst < 15.0, "{worst} m with satellite navigation");
-    let alone = found.tracks[0].growth(cut);
+    let alone = found.tracks[0].growth(outage);
     assert!(
         alone
             .last()
@@ -253,7 +254,7 @@ fn slipping() -> Flight {
 #[test]
 fn a_sideslip_is_known_by_its_side_force() {
     let mut flight = slipping();
-    let cut = |flight: &Flight| {
+    let outages = |flight: &Flight| {
         let instruments = Instruments::of(flight, None).expect("it has instruments");
         let ways = [ReckoningWay::air_and_wind()];
         let settings = ReckonSettings::default();
@@ -268,12 +269,12 @@ fn a_sideslip_is_known_by_its_side_force() {
         );
         (fit.slip_length, error)
     };
-    let (length, error) = cut(&flight);
+    let (length, error) = outages(&flight);
     assert!((length - 20.0).abs() < 1.0, "{length} m");
     assert!(error < 5.0, "{error} m");
     flight
         .channels
         .retain(|c| c.name != ChannelName::AccelerationRight);
-    let (length, without) = cut(&flight);
+    let (length, without) = outages(&flight);
     assert!(length == 0.0 && without > 50.0, "{length} m, {without} m");
 }

@@ -42,9 +42,9 @@ pub enum JobEvent {
     LogSeries(Box<LogSeries>),
     /// Something that was asked of a log.
     LogAnswer(Box<LogAnswer>),
-    /// Result of a cut.
+    /// Result of an outage.
     OutageMade(Box<OutageReport>),
-    /// Results of cuts all along a flight.
+    /// Results of outages all along a flight.
     OutagesStudied(Box<StudyReport>),
     /// A camera in time and place beside its log.
     CameraCalibrated(Box<CameraToLog>),

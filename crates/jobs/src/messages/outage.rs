@@ -15,13 +15,13 @@ pub enum Outage {
     AllAlong(f64),
 }
 
-/// A cut to be made.
+/// An outage to be made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OutageOrder {
     /// The flight.
     pub flight: FlightSource,
     /// GPS outage to be simulated.
-    pub cut: Outage,
+    pub outage: Outage,
     /// Positions that the run found in the pictures, and what to call them.
     pub seen: Option<(String, Vec<PositionFix>)>,
 }
@@ -40,18 +40,18 @@ impl OutageOrder {
     }
 }
 
-/// Result of one way to navigate through the cut.
+/// Result of one way to navigate through the outage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AidedResult {
     /// Name of the way to navigate.
     pub label: String,
-    /// Error and doubt against the time since the cut.
+    /// Error and doubt against the time since the outage.
     pub growth: Vec<Growth>,
     /// Estimated places: seconds in the flight's time base, metres north and east.
     pub places: Vec<[f64; 3]>,
 }
 
-/// Result of a cut.
+/// Result of an outage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OutageReport {
     /// The stretch, seconds in the flight's time base.
@@ -79,10 +79,10 @@ pub struct WindReport {
     pub from_autopilot: Option<f64>,
 }
 
-/// Results of cuts all along a flight.
+/// Results of outages all along a flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyReport {
-    /// Length of each cut, seconds.
+    /// Length of each outage, seconds.
     pub length: f64,
     /// Each way to navigate.
     pub studies: Vec<OutageStudy>,

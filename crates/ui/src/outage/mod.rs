@@ -55,12 +55,12 @@ impl Outages {
         context.note("No stretch is selected", text);
     }
 
-    fn begin(&mut self, context: &mut FeatureContext<'_>, cut: Outage) {
+    fn begin(&mut self, context: &mut FeatureContext<'_>, outage: Outage) {
         let documents = &*context.documents;
         if documents.flight.measured.is_none() {
             return context.note("Nothing to cut", "Open a flight log first.");
         }
-        let words = match cut {
+        let words = match outage {
             Outage::Stretch(..) => "Navigating without GPS".to_owned(),
             Outage::AllAlong(length) => {
                 format!("GPS outages of {length:.0} s all along the flight")
@@ -68,7 +68,7 @@ impl Outages {
         };
         let order = OutageOrder {
             flight: documents.flight.source.clone(),
-            cut,
+            outage,
             seen: seen(documents),
         };
         let job = Job::Outage(Box::new(order));
@@ -99,7 +99,7 @@ impl Feature for Outages {
             }
             OutageCommand::Clear => {
                 self.stop(context);
-                // Outages all along the flight are none of the cut.
+                // Outages all along the flight belong to no single one.
                 let study = self.study.take();
                 *self = Self {
                     study,
@@ -136,7 +136,7 @@ impl Feature for Outages {
             .log
             .as_ref()
             .and(documents.flight.measured.as_ref());
-        // Without airspeed little is known after a cut: that is no step to urge upon anybody.
+        // Without airspeed little is known after an outage: that is no step to urge upon anybody.
         let is_worth_it = flight.is_some_and(measures_airspeed);
         (is_worth_it && workspace == Workspace::Replay).then(|| NextStep {
             icon: Icon::NoSignal,
@@ -168,7 +168,7 @@ impl Feature for Outages {
             let rows = s.studies.iter().map(|row| {
                 json!({
                     "label": row.label,
-                    "cuts": row.cuts.len(),
+                    "cuts": row.outages.len(),
                     "median": row.error_quantile(0.5),
                     "ninety": row.error_quantile(0.9),
                     "covered": row.covered(),

@@ -52,7 +52,7 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outage
         wrapped(ui, tokens.warning, &sentence);
     }
     if let Some(report) = &outages.report {
-        one_cut(ui, context, report);
+        one_outage(ui, context, report);
     }
     study(ui, context, outages);
     if let Some(report) = outages.report.as_ref().and_then(|r| r.winds.as_ref()) {
@@ -104,7 +104,7 @@ fn wrapped(ui: &mut Ui, colour: egui::Color32, text: &str) {
 }
 
 /// Numbers and the growth of the error of one outage.
-fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
+fn one_outage(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
     let tokens = context.tokens;
     let (factor, unit) = context.units.length();
     ui.add_space(0.5 * tokens.space);
@@ -199,7 +199,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let Some(StudyReport { studies, .. }) = &outages.study else {
         return;
     };
-    let cuts = studies.first().map_or(0, |s| s.cuts.len());
+    let count = studies.first().map_or(0, |s| s.outages.len());
     let (factor, unit) = context.units.length();
     let small = |text: &str| {
         RichText::new(text)
@@ -208,7 +208,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     };
     let titles = ["median", "90 %", "inside"].map(str::to_owned);
     table::heads(ui, tokens, &titles, |ui| {
-        let outages = counted(cuts, "outage", "outages");
+        let outages = counted(count, "outage", "outages");
         ui.label(small(&format!("{outages}, end error, {unit}")));
     });
     for row in studies {

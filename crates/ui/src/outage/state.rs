@@ -23,7 +23,7 @@ pub enum OutageCommand {
     Study(f64),
     /// Stop what is being computed.
     Stop,
-    /// Let go of the cut.
+    /// Let go of the outage.
     Clear,
 }
 
@@ -36,7 +36,7 @@ impl From<OutageCommand> for Command {
 /// Results of outages, until another flight is opened.
 #[derive(Debug, Default)]
 pub struct Outages {
-    /// The cut that is shown.
+    /// The outage that is shown.
     pub report: Option<OutageReport>,
     /// Outages all along the flight.
     pub study: Option<StudyReport>,
@@ -44,7 +44,7 @@ pub struct Outages {
     pub work: FeatureWork,
 }
 
-/// Whether a flight goes on by its airspeed after a cut.
+/// Whether a flight goes on by its airspeed after an outage.
 pub(super) fn measures_airspeed(flight: &Flight) -> bool {
     flight.channel(ChannelName::Airspeed).is_some()
 }

@@ -2,7 +2,7 @@ use egui::Key;
 use pilotage_jobs::{Beside, FlightSource, FlyOrder, Job, OpenedFiles, SimulationOptions};
 use pilotage_ui::host::OpenedFile;
 
-use super::cut::rounds;
+use super::outage::rounds;
 use super::reopen::nothing;
 use super::support::flight::mission;
 use super::support::{Rig, rig};

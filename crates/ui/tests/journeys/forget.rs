@@ -11,8 +11,8 @@ use pilotage_jobs::{Job, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
-use super::cut::rounds;
 use super::open_map::a_map;
+use super::outage::rounds;
 use super::photos::{photo, town};
 use super::reopen::nothing;
 use super::support::flight::{flight, mission, run};
@@ -124,7 +124,7 @@ fn barn() -> Vec<u8> {
     text.as_bytes().to_vec()
 }
 
-/// Leaves traces of the flight that is open wherever people can: bookmarks, a selected stretch, a cut, a contest, a
+/// Leaves traces of the flight that is open wherever people can: bookmarks, a selected stretch, an outage, a contest, a
 /// match that is explained, a proposal of a label.
 fn leave_traces(rig: &mut Rig) {
     if rig.state()["workspace"] != "Replay" {
@@ -199,7 +199,7 @@ fn under_way(rig: &mut Rig, old: Kind) -> BTreeSet<String> {
     }
     let host = rig.host();
     let silent = |job: &Job| match job {
-        // The scripted host says nothing of cuts of invented flights.
+        // The scripted host says nothing of outages of invented flights.
         Job::Outage(order) => Some(format!("{:?}", order.flight)),
         _ => None,
     };

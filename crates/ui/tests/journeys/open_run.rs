@@ -2,7 +2,7 @@ use egui::Vec2;
 use pilotage_jobs::{JobEvent, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
-use super::cut::rounds;
+use super::outage::rounds;
 use super::reopen::nothing;
 use super::support::flight::{flight, mission, run, run_head};
 use super::support::{Rig, ScriptedHost, rig, rig_on};

@@ -66,7 +66,7 @@ impl Fits {
 
 /// Outages of a minute, one after the other.
 fn outages(plan: &GeneratedPlan) -> Vec<OutageOutcome> {
-    let cuts = OutagePlan {
+    let every_minute = OutagePlan {
         length: 60.0,
         every: 60.0,
         warm_up: 60.0,
@@ -76,8 +76,8 @@ fn outages(plan: &GeneratedPlan) -> Vec<OutageOutcome> {
     let of_seed = |seed| {
         let generated = plan.fly(seed);
         let instruments = Instruments::of(&generated.flight, None).unwrap();
-        let study = study_cuts(&instruments, &way, &cuts, &settings, &mut |_| true);
-        study.unwrap().cuts
+        let study = study_outages(&instruments, &way, &every_minute, &settings, &mut |_| true);
+        study.unwrap().outages
     };
     (0..outage_seeds()).flat_map(of_seed).collect()
 }
@@ -93,11 +93,14 @@ fn interval(share: f64, count: f64) -> (f64, f64) {
 
 /// Asserts that the 95 % ellipse holds at least the share `least` of the ends.
 fn hold(what: &str, plan: &GeneratedPlan, least: f64) {
-    let cuts = outages(plan);
-    let inside = cuts.iter().filter(|cut| cut.squared() <= 5.991).count();
-    let (inside, count) = (inside as f64, cuts.len() as f64);
+    let outages = outages(plan);
+    let inside = outages
+        .iter()
+        .filter(|outage| outage.squared() <= 5.991)
+        .count();
+    let (inside, count) = (inside as f64, outages.len() as f64);
     let (low, high) = interval(inside / count, count);
-    let errors = cuts.iter().map(|cut| cut.error.norm()).collect();
+    let errors = outages.iter().map(|outage| outage.error.norm()).collect();
     println!(
         "{what}: {inside} of {count} ends inside ({:.0} to {:.0} %), median {:.0} m",
         100.0 * low,

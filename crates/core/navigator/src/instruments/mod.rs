@@ -1,10 +1,10 @@
 //! Readings of the instruments of a real flight, and its position by them when satellite navigation fails.
 //!
 //! A flight becomes [`Instruments`]: readings cleaned of what cannot be, with what was refused in words. From the
-//! flight up to a cut, and from nothing later, [`Instruments::calibrate`] finds how late airspeed and satellite
+//! flight up to an outage, and from nothing later, [`Instruments::calibrate`] finds how late airspeed and satellite
 //! navigation come, by what factor the airspeed reads wrong, which heading to believe and by what angle to turn
-//! it, and how the airplane slips sideways. [`reckon`] flies through one cut in several ways side by side,
-//! [`study_cuts`] through cuts all along.
+//! it, and how the airplane slips sideways. [`reckon`] flies through one outage in several ways side by side,
+//! [`study_outages`] through outages all along.
 
 mod airborne;
 mod blend;
@@ -59,7 +59,7 @@ pub use refusal::{RefusedKind, RefusedStretch};
 pub use series::{Series, SeriesValue};
 pub use settings::{HeadingChoice, Method, ReckonSettings};
 pub use statistics::{quantile, quantile_of_others};
-pub use study::{OutageOutcome, OutagePlan, OutageStudy, study_cuts};
+pub use study::{OutageOutcome, OutagePlan, OutageStudy, study_outages};
 pub use track::{BeliefPoint, BeliefTrack, Growth};
 pub use track_noise::TrackNoise;
 pub use tuning::likeliest;

@@ -45,15 +45,15 @@ pub enum ReckonError {
         /// Name of the flight.
         flight: String,
     },
-    /// The cut lies outside the time in the air.
+    /// The outage lies outside the time in the air.
     #[error(
-        "the cut from {from:.1} to {to:.1} s does not lie within a stretch in the air: choose it within {begin:.1} \
+        "the outage from {from:.1} to {to:.1} s does not lie within a stretch in the air: choose it within {begin:.1} \
          to {end:.1} s"
     )]
     OutageOutside {
-        /// Beginning of the cut, seconds.
+        /// Beginning of the outage, seconds.
         from: f64,
-        /// End of the cut, seconds.
+        /// End of the outage, seconds.
         to: f64,
         /// Beginning of the longest stretch in the air, seconds.
         begin: f64,

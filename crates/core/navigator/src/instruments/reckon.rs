@@ -20,7 +20,7 @@ const FIRST_CALIBRATION: f64 = 15.0;
 /// Growth of the time that calibrations rest on from one to the next.
 const CALIBRATION_GROWTH: f64 = 1.15;
 
-/// A way to navigate through a cut.
+/// A way to navigate through an outage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReckoningWay {
     /// Name of the way, as shown to people.
@@ -29,7 +29,7 @@ pub struct ReckoningWay {
     pub method: Method,
     /// The heading.
     pub heading: HeadingChoice,
-    /// Whether satellite navigation goes on in spite of the cut.
+    /// Whether satellite navigation goes on in spite of the outage.
     pub keeps_gps: bool,
     /// Positions from elsewhere, such as landmarks that were seen, in order of time.
     pub fixes: Vec<PositionFix>,
@@ -94,36 +94,36 @@ impl ReckoningWay {
     }
 }
 
-/// Result of reckoning through a cut.
+/// Result of reckoning through an outage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reckoning {
-    /// The cut, seconds in the flight's time base.
-    pub cut: (f64, f64),
+    /// The outage, seconds in the flight's time base.
+    pub outage: (f64, f64),
     /// The stretch in the air that holds it, seconds.
     pub stretch: (f64, f64),
     /// Tracks, one for each way, in the order of the ways.
     pub tracks: Vec<BeliefTrack>,
-    /// Findings on the instruments up to the cut, and on what was refused of them.
+    /// Findings on the instruments up to the outage, and on what was refused of them.
     pub findings: Vec<Finding>,
 }
 
-/// Navigates a stretch in the air with satellite navigation cut from `cut.0` to `cut.1` (seconds), once per way.
+/// Navigates a stretch in the air with satellite navigation cut from `outage.0` to `outage.1` (seconds), once per way.
 ///
-/// Every filter learns delays, wind, scale and heading from what came before the cut and from nothing later; it
-/// starts at the beginning of the stretch and goes on after the cut. `goes_on` is told the share that is done
+/// Every filter learns delays, wind, scale and heading from what came before the outage and from nothing later; it
+/// starts at the beginning of the stretch and goes on after the outage. `goes_on` is told the share that is done
 /// and ends the work by answering false; ways not begun by then are missing.
 pub fn reckon(
     instruments: &Instruments,
-    cut: (f64, f64),
+    outage: (f64, f64),
     ways: &[ReckoningWay],
     settings: &ReckonSettings,
     mut goes_on: impl FnMut(f64) -> bool,
 ) -> Result<Reckoning, ReckonError> {
     let (begin, end) = instruments.stretch;
-    if !(cut.0 > begin && cut.1 > cut.0 && cut.0 < end) {
+    if !(outage.0 > begin && outage.1 > outage.0 && outage.0 < end) {
         return Err(ReckonError::OutageOutside {
-            from: cut.0,
-            to: cut.1,
+            from: outage.0,
+            to: outage.1,
             begin,
             end,
         });
@@ -136,37 +136,37 @@ pub fn reckon(
         tracks.push(if way.keeps_gps {
             rolling_track(instruments, way, settings)?
         } else {
-            cut_track(instruments, cut, way, settings)?
+            outage_track(instruments, outage, way, settings)?
         });
     }
     let mut findings = instruments.findings.clone();
-    findings.extend(instruments.remarks(cut.0, HeadingChoice::Best, &settings.calibration));
+    findings.extend(instruments.remarks(outage.0, HeadingChoice::Best, &settings.calibration));
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     Ok(Reckoning {
-        cut,
+        outage,
         stretch: instruments.stretch,
         tracks,
         findings,
     })
 }
 
-/// A way through a cut, with the calibration of its beginning.
-fn cut_track(
+/// A way through an outage, with the calibration of its beginning.
+fn outage_track(
     instruments: &Instruments,
-    cut: (f64, f64),
+    outage: (f64, f64),
     way: &ReckoningWay,
     settings: &ReckonSettings,
 ) -> Result<BeliefTrack, ReckonError> {
-    let calibration = calibration(instruments, cut.0, way, settings);
+    let calibration = calibration(instruments, outage.0, way, settings);
     let (begin, end) = instruments.stretch;
     let mut points = Vec::new();
     let delay = calibration.delays.gps;
-    let known = || instruments.outlook(&calibration, cut.0, &settings.calibration);
+    let known = || instruments.outlook(&calibration, outage.0, &settings.calibration);
     let outlook = settings.learns_noise.then(known).flatten();
     let events = FilterEvents::default()
-        .gps(&instruments.readings, (begin, cut.0), delay)
-        .gps(&instruments.readings, (cut.1, end), delay)
-        .outage(cut.0 - delay, outlook)
+        .gps(&instruments.readings, (begin, outage.0), delay)
+        .gps(&instruments.readings, (outage.1, end), delay)
+        .outage(outage.0 - delay, outlook)
         .fixes(&way.fixes, (begin, end))
         .reports(grid(begin, end));
     let findings = run(
@@ -180,7 +180,7 @@ fn cut_track(
         },
     )?;
     for point in &mut points {
-        point.is_aided = !(cut.0..=cut.1).contains(&(point.time + delay));
+        point.is_aided = !(outage.0..=outage.1).contains(&(point.time + delay));
     }
     Ok(BeliefTrack {
         label: way.label.clone(),

@@ -32,10 +32,10 @@ pub enum Method {
 /// The full filter takes the noise of wind and gusts, and its beliefs about airspeed and heading, from the flight up to
 /// the outage ([`super::TrackNoise`], [`super::AirFit`]). What stands below is for flights that do not say it yet, and
 /// comes from the two flights of the Skywalker X-8 that the tests fly: that of the full filter is rounded from what makes
-/// the positions at the ends of cuts likeliest ([`super::likeliest`] over [`super::OutageStudy::end_log_likelihood`]);
+/// the positions at the ends of outages likeliest ([`super::likeliest`] over [`super::OutageStudy::end_log_likelihood`]);
 /// that of the plain one makes the innovations of `TestLog2` likeliest with the
 /// 5 ft of DeAngelo 2016, Table 4, as the doubt of a position, among winds that hardly change: a wind that follows
-/// whatever the positions do (4.5 m/s/√s) makes them likelier still and cuts useless.
+/// whatever the positions do (4.5 m/s/√s) makes them likelier still and outages useless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ReckonSettings {

@@ -1,4 +1,4 @@
-//! Cuts all along a flight.
+//! Outages all along a flight.
 
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
@@ -15,14 +15,14 @@ use super::walker::Trust;
 use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::FilterError;
 
-/// Plan of the cuts.
+/// Plan of the outages.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OutagePlan {
     /// Length of each, seconds.
     pub length: f64,
     /// From the beginning of one to the beginning of the next, seconds.
     pub every: f64,
-    /// From the beginning of the stretch in the air to that of the first cut, seconds.
+    /// From the beginning of the stretch in the air to that of the first outage, seconds.
     pub warm_up: f64,
 }
 
@@ -36,7 +36,7 @@ impl Default for OutagePlan {
     }
 }
 
-/// Outcome of a cut.
+/// Outcome of an outage.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OutageOutcome {
     /// Beginning, seconds: stamp of the last position that may have been used.
@@ -60,44 +60,44 @@ impl OutageOutcome {
     }
 }
 
-/// Outcomes of all cuts, for one way to navigate.
+/// Outcomes of all outages, for one way to navigate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OutageStudy {
     /// Name of the way, as shown to people.
     pub label: String,
     /// In order of time.
-    pub cuts: Vec<OutageOutcome>,
+    pub outages: Vec<OutageOutcome>,
     /// Logarithm of the likelihood of all measurements of satellite navigation, each as it was predicted.
     pub log_likelihood: f64,
 }
 
 impl OutageStudy {
-    /// The error at the end that the share `share` of the cuts stays below, m.
+    /// The error at the end that the share `share` of the outages stays below, m.
     pub fn error_quantile(&self, share: f64) -> f64 {
-        quantile(self.cuts.iter().map(|c| c.error.norm()).collect(), share)
+        quantile(self.outages.iter().map(|c| c.error.norm()).collect(), share)
     }
 
-    /// Share of the cuts whose 95 % ellipse holds the position by satellite navigation.
+    /// Share of the outages whose 95 % ellipse holds the position by satellite navigation.
     pub fn covered(&self) -> f64 {
         let limit = chi_square_quantile(0.95, 2.0);
-        let inside = self.cuts.iter().filter(|c| c.squared() <= limit).count();
-        inside as f64 / self.cuts.len().max(1) as f64
+        let inside = self.outages.iter().filter(|c| c.squared() <= limit).count();
+        inside as f64 / self.outages.len().max(1) as f64
     }
 
-    /// Logarithm of the likelihood of the positions at the ends of the cuts, as they were predicted at their
+    /// Logarithm of the likelihood of the positions at the ends of the outages, as they were predicted at their
     /// beginnings, but for a constant.
     pub fn end_log_likelihood(&self) -> f64 {
         let term = |c: &OutageOutcome| -0.5 * (c.covariance.determinant().ln() + c.squared());
-        self.cuts.iter().map(term).sum()
+        self.outages.iter().map(term).sum()
     }
 }
 
-/// Cuts satellite navigation again and again and navigates through each cut by `way`.
+/// Cuts satellite navigation again and again and navigates through each outage by `way`.
 ///
-/// Every cut is made by a filter that has seen nothing later, with a calibration that rests on nothing later: the
+/// Every outage is made by a filter that has seen nothing later, with a calibration that rests on nothing later: the
 /// latest of a few along the flight, as [`super::rolling_track`] has them. `goes_on` is told the share that is
 /// done and ends the work by answering false.
-pub fn study_cuts(
+pub fn study_outages(
     instruments: &Instruments,
     way: &ReckoningWay,
     plan: &OutagePlan,
@@ -107,7 +107,7 @@ pub fn study_cuts(
     let (start, end) = instruments.stretch;
     let mut study = OutageStudy {
         label: way.label.clone(),
-        cuts: Vec::new(),
+        outages: Vec::new(),
         log_likelihood: 0.0,
     };
     let times = calibration_times(start, end, start + plan.warm_up);
@@ -128,14 +128,14 @@ pub fn study_cuts(
             span: (*as_of, until),
         };
         match way.method {
-            Method::Scaled => part.cut(&settings.airplane, &mut study)?,
-            Method::Plain => part.cut(&settings.plain, &mut study)?,
+            Method::Scaled => part.study(&settings.airplane, &mut study)?,
+            Method::Plain => part.study(&settings.plain, &mut study)?,
         }
     }
     Ok(study)
 }
 
-/// The cuts that begin while one calibration is the latest.
+/// The outages that begin while one calibration is the latest.
 struct CalibrationOutages<'a> {
     instruments: &'a Instruments,
     known: &'a Calibration,
@@ -147,7 +147,7 @@ struct CalibrationOutages<'a> {
 }
 
 impl CalibrationOutages<'_> {
-    /// Beginnings of the cuts, seconds.
+    /// Beginnings of the outages, seconds.
     fn beginnings(&self) -> Vec<f64> {
         let (start, end) = self.instruments.stretch;
         let first = start + self.plan.warm_up;
@@ -157,7 +157,7 @@ impl CalibrationOutages<'_> {
             .collect()
     }
 
-    /// Outlook at the beginning of a cut; `None` for a filter that is told its noise.
+    /// Outlook at the beginning of an outage; `None` for a filter that is told its noise.
     fn outlook(&self, from: f64) -> Option<Outlook> {
         let learns = self.trust.learns;
         let found = || {
@@ -167,7 +167,7 @@ impl CalibrationOutages<'_> {
         learns.then(found).flatten()
     }
 
-    fn cut<const N: usize, V: Airplane<N>>(
+    fn study<const N: usize, V: Airplane<N>>(
         &self,
         model: &V,
         study: &mut OutageStudy,
@@ -204,7 +204,7 @@ impl CalibrationOutages<'_> {
             }
             let place = coasting.state().marginal::<0, 2>();
             if let Some(there) = readings.positions.at(to) {
-                study.cuts.push(OutageOutcome {
+                study.outages.push(OutageOutcome {
                     from,
                     to,
                     error: there - place.mean,

@@ -94,14 +94,14 @@ pub struct BeliefTrack {
     pub points: Vec<BeliefPoint>,
     /// Measurements that it refused, in words.
     pub findings: Vec<pilotage_flight::Finding>,
-    /// Calibration of the instruments at the cut (or at the end).
+    /// Calibration of the instruments at the outage (or at the end).
     pub calibration: Calibration,
 }
 
-/// Error of a way to navigate, a while after the cut.
+/// Error of a way to navigate, a while after the outage.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
-    /// Seconds since the cut.
+    /// Seconds since the outage.
     pub since: f64,
     /// Distance from the position by satellite navigation, m, where known.
     pub error: Option<f64>,
@@ -110,7 +110,7 @@ pub struct Growth {
 }
 
 impl BeliefTrack {
-    /// Error and doubt against the time since the cut, for the points within it (seconds by the stamps of satellite
+    /// Error and doubt against the time since the outage, for the points within it (seconds by the stamps of satellite
     /// navigation, which come later than what they tell of).
     pub fn growth(&self, (from, to): (f64, f64)) -> Vec<Growth> {
         let growth = |p: &BeliefPoint| Growth {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use pilotage_core::instruments::{
     Instruments, OutagePlan, OutageStudy, PositionFix, ReckonSettings, ReckoningWay, quantile,
-    reckon, study_cuts,
+    reckon, study_outages,
 };
 use pilotage_core::navigator::{KnownGround, Navigator, Run, position_fixes};
 use pilotage_core::simulate::{Overrides, Scenario};
@@ -64,21 +64,21 @@ fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
         every: 2.0,
     };
     let study = |way: &ReckoningWay| {
-        study_cuts(&instruments, way, &plan, &settings, &mut |_| true).unwrap()
+        study_outages(&instruments, way, &plan, &settings, &mut |_| true).unwrap()
     };
     let alone = study(&ReckoningWay::air_and_wind());
     let seen = study(&ReckoningWay::with_fixes("with landmarks", fixes.clone()));
-    assert_eq!(alone.cuts.len(), seen.cuts.len());
-    // The cuts at whose end a landmark was seen shortly before.
+    assert_eq!(alone.outages.len(), seen.outages.len());
+    // The outages at whose end a landmark was seen shortly before.
     let is_fresh = |time: f64| (fixes.iter()).any(|f| (time - FRESH..=time).contains(&f.time));
     let tell = |s: &OutageStudy| {
-        let fresh = s.cuts.iter().filter(|cut| is_fresh(cut.to));
-        let errors: Vec<f64> = fresh.map(|cut| cut.error.norm()).collect();
+        let fresh = s.outages.iter().filter(|outage| is_fresh(outage.to));
+        let errors: Vec<f64> = fresh.map(|outage| outage.error.norm()).collect();
         let median = quantile(errors.clone(), 0.5);
         println!(
-            "{}: {} cuts, {:.0} % inside, median {:.1} m; {} with a landmark at the end: median {median:.1} m",
+            "{}: {} outages, {:.0} % inside, median {:.1} m; {} with a landmark at the end: median {median:.1} m",
             s.label,
-            s.cuts.len(),
+            s.outages.len(),
             100.0 * s.covered(),
             s.error_quantile(0.5),
             errors.len()
@@ -89,18 +89,22 @@ fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
     assert!(held < 0.7 * drifted && held < 6.0, "{held} m, {drifted} m");
     assert!(seen.covered() >= 0.85, "{}", seen.covered());
 
-    // One cut says the same as the study's.
-    let cut = seen.cuts[seen.cuts.len() / 2];
+    // One outage says the same as the study's.
+    let outage = seen.outages[seen.outages.len() / 2];
     let way = ReckoningWay::with_fixes("with landmarks", fixes);
-    let one = reckon(&instruments, (cut.from, cut.to), &[way], &settings, |_| {
-        true
-    })
+    let one = reckon(
+        &instruments,
+        (outage.from, outage.to),
+        &[way],
+        &settings,
+        |_| true,
+    )
     .unwrap();
-    let growth = one.tracks[0].growth(one.cut);
+    let growth = one.tracks[0].growth(one.outage);
     let last = growth.last().unwrap();
     let told = last.error.unwrap();
     assert!(
-        (told - cut.error.norm()).abs() < 0.3 * cut.error.norm() + 1.0,
-        "{told} {cut:?}"
+        (told - outage.error.norm()).abs() < 0.3 * outage.error.norm() + 1.0,
+        "{told} {outage:?}"
     );
 }

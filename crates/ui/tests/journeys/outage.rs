@@ -62,7 +62,7 @@ fn rig_with(log: Vec<u8>) -> Rig {
 }
 
 #[test]
-fn a_cut_from_the_cursor_says_how_the_error_grows() {
+fn an_outage_from_the_cursor_says_how_the_error_grows() {
     let mut rig = rig_with_rounds();
     let strip = rig.rect("/timeline");
     let middle = strip.center();
@@ -97,7 +97,7 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
 }
 
 #[test]
-fn a_cut_at_the_very_beginning_begins_in_the_air_and_says_why_and_one_past_the_end_ends_with_the_flight()
+fn an_outage_at_the_very_beginning_begins_in_the_air_and_says_why_and_one_past_the_end_ends_with_the_flight()
  {
     let mut rig = rig_with_rounds();
     rig.key(egui::Key::Home);
@@ -144,7 +144,7 @@ fn the_heads_of_the_table_of_outages_have_room() {
         .click();
     rig.settle();
     rig.harness.get_by_label("median 90 % inside");
-    // A cut that is let go of leaves them.
+    // An outage that is let go of leaves them.
     rig.harness.get_by_label("Cut 30 s from here").click();
     rig.settle();
     rig.harness.get_by_label("Clear").click();
@@ -168,7 +168,7 @@ fn the_selected_stretch_is_cut() {
 }
 
 #[test]
-fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
+fn what_the_run_saw_of_landmarks_is_a_way_through_an_outage() {
     let mut rig = rig();
     rig.settle();
     rig.open_tab("GPS outage");
@@ -179,7 +179,7 @@ fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
         Job::Outage(order) => Some(order),
         _ => None,
     });
-    let (label, fixes) = order.expect("a cut").seen.clone().expect("landmarks");
+    let (label, fixes) = order.expect("an outage").seen.clone().expect("landmarks");
     assert_eq!(label, "Airspeed, wind, landmarks");
     assert!(fixes.len() > 3, "{}", fixes.len());
 }
@@ -206,7 +206,7 @@ fn a_simulated_flight_has_a_true_track_and_a_log_a_recorded_one() {
 }
 
 #[test]
-fn a_log_without_airspeed_is_not_urged_to_be_cut_and_says_what_a_cut_goes_by() {
+fn a_log_without_airspeed_is_not_urged_to_be_cut_and_says_what_an_outage_goes_by() {
     let told = |rig: Rig, by: &str, is_urged: bool| {
         let is_there = |words: &str| rig.harness.query_by_label_contains(words).is_some();
         assert!(is_there(by), "{by}");
