@@ -15,7 +15,7 @@ use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
 const GROUND_MEGABYTES: usize = 256;
 
 /// The first built-in flight by its landmarks, with its real pictures, after `damage`.
-pub struct Flown {
+pub struct FlownScenario {
     /// The navigator's run over it.
     pub run: Run,
     flight: Flight,
@@ -24,7 +24,7 @@ pub struct Flown {
 ///
 /// # Panics
 /// If the scenario is none or the navigator cannot begin or go on.
-pub fn fly(damage: impl Fn(&mut Flight)) -> Flown {
+pub fn fly(damage: impl Fn(&mut Flight)) -> FlownScenario {
     fly_as("distinct-400ft-wind", 3, FlightDay::Other, damage)
 }
 
@@ -32,7 +32,12 @@ pub fn fly(damage: impl Fn(&mut Flight)) -> Flown {
 ///
 /// # Panics
 /// If the scenario is none or the navigator cannot begin or go on.
-pub fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight)) -> Flown {
+pub fn fly_as(
+    name: &str,
+    seed: u64,
+    day: FlightDay,
+    damage: impl Fn(&mut Flight),
+) -> FlownScenario {
     let scenario = Scenario::named(name).expect("a scenario");
     let overrides = Overrides {
         day: Some(day),
@@ -48,7 +53,7 @@ pub fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight
     let given = Arc::new(flight.clone());
     let navigator = Navigator::new(given, &KnownGround::of(&mission, map), &mission.navigator)
         .expect("the flight has what it takes");
-    Flown::by(navigator, &mut frames, flight)
+    FlownScenario::by(navigator, &mut frames, flight)
 }
 
 /// Ground on the day of a flight, drawn once for all flights of this program over it.
@@ -72,7 +77,7 @@ fn ground(scenario: &Scenario, day: FlightDay) -> Arc<CachedImagery> {
 ///
 /// # Panics
 /// If the scenario is none or the navigator cannot begin or go on.
-pub fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> Flown {
+pub fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> FlownScenario {
     let scenario = Scenario::named(name).expect("a scenario");
     let mut flight = scenario.fly(seed, &Overrides::default());
     damage(&mut flight);
@@ -93,10 +98,10 @@ pub fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> Flo
     let (landmarks, settings) = (&mission.landmarks, &mission.navigator);
     let navigator = Navigator::with_detector(given, landmarks, Box::new(detector), settings)
         .expect("the flight has what it takes");
-    Flown::by(navigator, &mut frames, flight)
+    FlownScenario::by(navigator, &mut frames, flight)
 }
 
-impl Flown {
+impl FlownScenario {
     fn by(navigator: Navigator, frames: &mut dyn FrameSource, flight: Flight) -> Self {
         let run = navigator.sparing().fly(frames, &|| 0.0);
         let run = run.expect("the filter goes on");

@@ -42,7 +42,7 @@ const BLIND: f64 = 0.4;
 
 /// Sight of the flights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum RouteSight {
     /// Pictures of the county on another day, and the very detector.
     Pictures,
     /// No pictures: landmarks are found as often and as well as is expected of them.
@@ -51,7 +51,7 @@ pub enum Seen {
 
 /// Results of one route.
 #[derive(Clone, Debug, Default)]
-pub struct Flown {
+pub struct FlownRoute {
     /// The route.
     pub route: FoundRoute,
     /// Largest predicted standard deviation of the longer axis, metres.
@@ -66,7 +66,7 @@ pub struct Flown {
     pub rms: f64,
 }
 
-impl Flown {
+impl FlownRoute {
     /// Largest error of all flights, metres.
     pub fn largest_of_all(&self) -> f64 {
         self.largest.iter().copied().fold(0.0, f64::max)
@@ -220,7 +220,12 @@ impl Case {
 
     /// Predicts a route and flies it with every seed below `flights`, each in a wind of its own, over
     /// what is seen.
-    pub fn fly(&self, route: &FoundRoute, flights: u64, seen: Seen) -> Result<Flown, String> {
+    pub fn fly(
+        &self,
+        route: &FoundRoute,
+        flights: u64,
+        seen: RouteSight,
+    ) -> Result<FlownRoute, String> {
         let plan = flight_plan(&self.scenario, self.seed, &route.way_points);
         let prediction = predict(&self.mission, &self.landmarks, &plan)?;
         let samples = &prediction.samples;
@@ -228,7 +233,7 @@ impl Case {
         let errors = on_all_processors(0..flights, |seed| self.errors(&plan, seed, seen));
         let errors = errors.into_iter().collect::<Result<Vec<_>, String>>()?;
         let all = || errors.iter().flatten();
-        Ok(Flown {
+        Ok(FlownRoute {
             route: route.clone(),
             predicted_worst: worst(&prediction),
             predicted_mean: sigmas().sum::<f64>() / samples.len().max(1) as f64,
@@ -242,7 +247,7 @@ impl Case {
     }
 
     /// Error after every step of one flight, metres.
-    fn errors(&self, plan: &FlightPlan, seed: u64, seen: Seen) -> Result<Vec<f64>, String> {
+    fn errors(&self, plan: &FlightPlan, seed: u64, seen: RouteSight) -> Result<Vec<f64>, String> {
         let named = |e: &dyn std::fmt::Display| format!("county {}, seed {seed}: {e}", self.seed);
         let settings = &self.mission.navigator;
         let flight = plan
@@ -251,7 +256,7 @@ impl Case {
             .ok_or_else(|| named(&"the route needs two way-points"))?;
         let landmarks = &self.mission.landmarks;
         let (detector, mut frames): (Box<dyn Detector>, Box<dyn FrameSource>) = match seen {
-            Seen::Pictures => {
+            RouteSight::Pictures => {
                 let map = Arc::clone(&self.map);
                 let detector = TemplateDetector::new(map, settings.detector);
                 let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed);
@@ -260,7 +265,7 @@ impl Case {
                     Box::new(frames.over(Arc::clone(&self.seen))),
                 )
             }
-            Seen::AsStated => {
+            RouteSight::AsStated => {
                 let stated = as_stated(&flight, &self.landmarks, seed);
                 let (detector, frames) = stated.ok_or_else(|| named(&"there is no truth"))?;
                 (Box::new(detector), Box::new(frames))

@@ -11,7 +11,7 @@ use pilotage_core::instruments::{
 use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings};
 use pilotage_core::simulate::{FlightDay, Scenario};
 use pilotage_tests::damage::{change, drop_samples};
-use pilotage_tests::flown::{Flown, fly, fly_as, fly_as_stated};
+use pilotage_tests::flown::{FlownScenario, fly, fly_as, fly_as_stated};
 use pilotage_tests::recorded;
 use pilotage_tests::studies::either;
 
@@ -267,7 +267,13 @@ fn delay_frames(flight: &mut Flight, seconds: f64) {
 
 #[test]
 fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_honest() {
-    type Case = (&'static str, fn() -> Flown, f64, &'static str, &'static str);
+    type Case = (
+        &'static str,
+        fn() -> FlownScenario,
+        f64,
+        &'static str,
+        &'static str,
+    );
     let cases: [Case; 5] = [
         (
             "compass 25° left",

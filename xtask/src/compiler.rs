@@ -27,14 +27,14 @@ pub const LINTER: &str = "PILOTAGE_LINTER";
 
 /// A pass over a crate after it was compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pass {
+pub enum CompilerPass {
     /// Documentation of what is built natively.
     Documentation,
     /// Lints of what the page is built from.
     PageLints,
 }
 
-impl Pass {
+impl CompilerPass {
     /// Folder of the texts that it says of each crate.
     fn folder(self) -> PathBuf {
         places::target().join(match self {
@@ -124,7 +124,7 @@ pub fn compile(linter: &OsString, arguments: &[OsString]) -> ExitCode {
         if has_own_form(&options)? {
             lint_page(linter, &name, &options)?;
         } else {
-            Pass::PageLints.forget(&name)?;
+            CompilerPass::PageLints.forget(&name)?;
         }
         // Programs of the page are compiled for it only.
         if is_of_type(&options, "cdylib") {
@@ -186,26 +186,26 @@ fn is_of_type(options: &[String], kind: &str) -> bool {
 fn document(name: &str, options: &[String]) -> Result<(), Failure> {
     let mut rustdoc = Command::new("rustdoc");
     rustdoc.args(options).args(["-D", "warnings", "--out-dir"]);
-    rustdoc.arg(Pass::Documentation.folder().join("pages"));
+    rustdoc.arg(CompilerPass::Documentation.folder().join("pages"));
     if options
         .windows(2)
         .any(|pair| pair == ["--crate-type", "bin"])
     {
         rustdoc.arg("--document-private-items");
     }
-    keep(Pass::Documentation, name, &mut rustdoc)
+    keep(CompilerPass::Documentation, name, &mut rustdoc)
 }
 
 fn lint_page(linter: &OsString, name: &str, options: &[String]) -> Result<(), Failure> {
     let mut lint = Command::new(linter);
     lint.arg("rustc").args(options);
     lint.args(["--emit=metadata", "--out-dir"]);
-    lint.arg(Pass::PageLints.folder().join("metadata"));
-    keep(Pass::PageLints, name, &mut lint)
+    lint.arg(CompilerPass::PageLints.folder().join("metadata"));
+    keep(CompilerPass::PageLints, name, &mut lint)
 }
 
 /// Runs a pass and keeps what it says.
-fn keep(pass: Pass, name: &str, command: &mut Command) -> Result<(), Failure> {
+fn keep(pass: CompilerPass, name: &str, command: &mut Command) -> Result<(), Failure> {
     let folder = pass.folder();
     fs::create_dir_all(&folder).map_err(Failure::file(&folder))?;
     let output = capture(command, "it came with rustup")?;

@@ -68,7 +68,7 @@ fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
             let changed = arguments.flag("--changed") || base.is_some();
             arguments.finish()?;
             let reach = changed.then(|| test::reach(base.as_deref())).transpose()?;
-            test::run(&test::Choice {
+            test::run(&test::CheckChoice {
                 quick,
                 only,
                 studies,

@@ -4,7 +4,7 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use pilotage_tests::routes::{Case, Flown, Seen, expectations};
+use pilotage_tests::routes::{Case, FlownRoute, RouteSight, expectations};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -14,8 +14,8 @@ fn main() -> ExitCode {
     };
     let (counties, flights, budget) = (number(0, 10.0), number(1, 50.0), number(2, 1.3));
     let seen = match arguments.get(3).map(String::as_str) {
-        Some("pictures") => Seen::Pictures,
-        _ => Seen::AsStated,
+        Some("pictures") => RouteSight::Pictures,
+        _ => RouteSight::AsStated,
     };
     match table(counties as u64, flights as u64, budget, seen) {
         Ok(()) => ExitCode::SUCCESS,
@@ -26,7 +26,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn table(counties: u64, flights: u64, budget: f64, seen: Seen) -> Result<(), String> {
+fn table(counties: u64, flights: u64, budget: f64, seen: RouteSight) -> Result<(), String> {
     let expected = expectations()?;
     for (name, e) in &expected {
         eprintln!("{name:24} {:.2}", e.probability());
@@ -59,7 +59,7 @@ fn table(counties: u64, flights: u64, budget: f64, seen: Seen) -> Result<(), Str
             line.median_largest(),
             found.median_largest(),
         );
-        let each = |f: &Flown| {
+        let each = |f: &FlownRoute| {
             let mut all: Vec<i64> = f.largest.iter().map(|e| e.round() as i64).collect();
             all.sort_unstable();
             format!("{all:?}")

@@ -17,7 +17,7 @@ use pilotage_tests::logs::damage::{apply, draw};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use readers::{Reader, all_readers};
+use readers::{FuzzedReader, all_readers};
 
 /// Number of executions of which one is read in pieces, too.
 const IN_PIECES: u64 = 8;
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let readers = all_readers();
     let names: Vec<&str> = readers.iter().map(|reader| reader.name.as_str()).collect();
     let wanted = reader.ok_or_else(|| format!("say --reader and one of {}", names.join(", ")))?;
-    let named = |reader: &&Reader| reader.name.eq_ignore_ascii_case(&wanted);
+    let named = |reader: &&FuzzedReader| reader.name.eq_ignore_ascii_case(&wanted);
     let reader = readers.iter().find(named);
     let reader = reader.ok_or_else(|| format!("no reader {wanted}: {}", names.join(", ")))?;
     fuzz(reader, first, executions)
@@ -55,7 +55,11 @@ struct Tally {
     slowest: (Duration, u64),
 }
 
-fn fuzz(reader: &Reader, first: u64, executions: u64) -> Result<(), Box<dyn std::error::Error>> {
+fn fuzz(
+    reader: &FuzzedReader,
+    first: u64,
+    executions: u64,
+) -> Result<(), Box<dyn std::error::Error>> {
     let samples = (reader.samples)();
     if samples.is_empty() {
         return Err("there is no file of this format to begin with".into());
@@ -140,7 +144,7 @@ fn words(panic: &(dyn std::any::Any + Send)) -> String {
 }
 
 /// Keeps what failed for a closer look.
-fn keep(reader: &Reader, number: u64, bytes: &[u8]) -> std::io::Result<PathBuf> {
+fn keep(reader: &FuzzedReader, number: u64, bytes: &[u8]) -> std::io::Result<PathBuf> {
     let folder = repository().join("target/fuzz");
     std::fs::create_dir_all(&folder)?;
     let place = folder.join(format!("{}-{number}", reader.name));

@@ -23,7 +23,7 @@ type Execution = Result<(u64, bool), String>;
 type Execute = Box<dyn Fn(&[u8], &[usize]) -> Execution>;
 
 /// A reader.
-pub struct Reader {
+pub struct FuzzedReader {
     /// Its name on the command line.
     pub name: String,
     /// Small files to begin with.
@@ -33,34 +33,34 @@ pub struct Reader {
 }
 
 /// Every reader of files that anybody may drop on the page as a flight.
-pub fn all_readers() -> Vec<Reader> {
-    let of_log = |info: &'static LogFormatInfo| Reader {
+pub fn all_readers() -> Vec<FuzzedReader> {
+    let of_log = |info: &'static LogFormatInfo| FuzzedReader {
         name: format!("{:?}", info.format),
         samples: Box::new(|| samples(info.format)),
         execute: Box::new(|bytes, ends| log(info, bytes, ends)),
     };
-    let mut readers: Vec<Reader> = all_formats().iter().map(of_log).collect();
-    readers.push(Reader {
+    let mut readers: Vec<FuzzedReader> = all_formats().iter().map(of_log).collect();
+    readers.push(FuzzedReader {
         name: "Photo".to_owned(),
         samples: Box::new(photos),
         execute: Box::new(|bytes, _| Ok(photo(bytes))),
     });
-    readers.push(Reader {
+    readers.push(FuzzedReader {
         name: "Film".to_owned(),
         samples: Box::new(films),
         execute: Box::new(film),
     });
-    readers.push(Reader {
+    readers.push(FuzzedReader {
         name: "Table".to_owned(),
         samples: Box::new(tables),
         execute: Box::new(|bytes, _| table(bytes)),
     });
-    readers.push(Reader {
+    readers.push(FuzzedReader {
         name: "Nmea".to_owned(),
         samples: Box::new(|| plain([sentences(40), sentences(7)])),
         execute: Box::new(|bytes, _| Ok(sentences_of(bytes))),
     });
-    readers.push(Reader {
+    readers.push(FuzzedReader {
         name: "Subtitles".to_owned(),
         samples: Box::new(|| plain([subtitles(false), subtitles(true)])),
         execute: Box::new(|bytes, _| {

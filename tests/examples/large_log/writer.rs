@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use pilotage_tests::logs::dataflash::{DataflashWriter, Form, Value, real, whole};
+use pilotage_tests::logs::dataflash::{DataflashValue, DataflashWriter, Form, real, whole};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -255,7 +255,12 @@ pub fn write(path: &Path, megabytes: u64) -> Result<(), Box<dyn std::error::Erro
 }
 
 /// A row: time, instance where there are several, and numbers that fit.
-fn values(letters: &str, time: u64, instance: Option<u8>, random: &mut ChaCha8Rng) -> Vec<Value> {
+fn values(
+    letters: &str,
+    time: u64,
+    instance: Option<u8>,
+    random: &mut ChaCha8Rng,
+) -> Vec<DataflashValue> {
     let number = |(i, letter): (usize, char)| match (letter, instance) {
         ('Q', _) => whole(time),
         ('B', Some(instance)) if i == 1 => whole(instance),

@@ -21,10 +21,10 @@ pub struct Circle {
 }
 
 /// A circle that is there all the same: its folder and its files.
-pub type Left = (&'static str, &'static [&'static str]);
+pub type LeftCircle = (&'static str, &'static [&'static str]);
 
 /// The circles that are left, each waiting to be opened: the list may shrink, never grow.
-pub const LEFT: [Left; 0] = [];
+pub const LEFT: [LeftCircle; 0] = [];
 
 /// Node of the folder's own file.
 const OWN: &str = "mod";
@@ -60,7 +60,7 @@ pub fn circles(folder: &str, sources: &[Source], with_root: bool) -> Vec<Circle>
 }
 
 /// Those of the circles `found` that `left` does not list.
-pub fn new_circles(found: &[Circle], left: &[Left]) -> Vec<Violation> {
+pub fn new_circles(found: &[Circle], left: &[LeftCircle]) -> Vec<Violation> {
     let new = found
         .iter()
         .filter(|circle| !left.iter().any(|listed| circle.is(listed)));
@@ -78,7 +78,7 @@ pub fn new_circles(found: &[Circle], left: &[Left]) -> Vec<Violation> {
 }
 
 /// Those of the circles that `left` lists that are not among those `found`: take them off the list.
-pub fn opened_circles(found: &[Circle], left: &[Left]) -> Vec<Left> {
+pub fn opened_circles(found: &[Circle], left: &[LeftCircle]) -> Vec<LeftCircle> {
     let listed = left.iter().copied();
     listed
         .filter(|listed| !found.iter().any(|circle| circle.is(listed)))
@@ -86,7 +86,7 @@ pub fn opened_circles(found: &[Circle], left: &[Left]) -> Vec<Left> {
 }
 
 impl Circle {
-    fn is(&self, (folder, files): &Left) -> bool {
+    fn is(&self, (folder, files): &LeftCircle) -> bool {
         self.folder == *folder && self.files == *files
     }
 }
@@ -226,7 +226,7 @@ mod tests {
 
     #[test]
     fn a_listed_circle_passes_until_it_is_opened_and_is_asked_off_the_list_then() {
-        const LISTED: [Left; 1] = [("house/src", &["b", "c"])];
+        const LISTED: [LeftCircle; 1] = [("house/src", &["b", "c"])];
         let circle = |names: &[&str]| Circle {
             folder: "house/src".to_owned(),
             files: names.iter().map(|name| (*name).to_owned()).collect(),

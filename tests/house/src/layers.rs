@@ -8,7 +8,7 @@ use crate::{
 
 /// The folders of one crate from the bottom up; modules in files of their own at the root count as folders.
 #[derive(Debug)]
-pub struct Order {
+pub struct FolderOrder {
     /// Folder of the crate's sources, relative to the root of the repository.
     pub sources: &'static str,
     /// Names of the folders, the lowest first.
@@ -16,8 +16,8 @@ pub struct Order {
 }
 
 /// Every crate with more than one folder.
-pub const ORDERS: [&Order; 8] = [
-    &Order {
+pub const ORDERS: [&FolderOrder; 8] = [
+    &FolderOrder {
         sources: "crates/core/base/src",
         folders: &[
             "sorting",
@@ -37,15 +37,15 @@ pub const ORDERS: [&Order; 8] = [
             "viridis",
         ],
     },
-    &Order {
+    &FolderOrder {
         sources: "crates/core/estimation/src",
         folders: &["filter", "vehicle", "estimator"],
     },
-    &Order {
+    &FolderOrder {
         sources: "crates/core/raster/src",
         folders: &["raster", "camera", "imagery"],
     },
-    &Order {
+    &FolderOrder {
         sources: "crates/core/vision/src",
         folders: &[
             "evidence",
@@ -58,15 +58,15 @@ pub const ORDERS: [&Order; 8] = [
             "road",
         ],
     },
-    &Order {
+    &FolderOrder {
         sources: "crates/core/mission/src",
         folders: &["settings", "mission", "exchange"],
     },
-    &Order {
+    &FolderOrder {
         sources: "crates/core/navigator/src",
         folders: &["instruments", "navigator", "calibration", "study"],
     },
-    &Order {
+    &FolderOrder {
         sources: "crates/core/simulate/src",
         folders: &["simulate", "other_days"],
     },
@@ -75,7 +75,7 @@ pub const ORDERS: [&Order; 8] = [
 
 /// Imports in `source` (its path relative to the order's folder of sources) that point upward, by `crate::`
 /// or by a chain of `super::` that climbs out of the folder. Test code counts as well.
-pub fn upward_imports(source: &Source, order: &Order) -> Vec<Violation> {
+pub fn upward_imports(source: &Source, order: &FolderOrder) -> Vec<Violation> {
     let module = module_of(&source.path);
     let Some(folder) = module.first() else {
         return Vec::new();
@@ -110,7 +110,7 @@ pub fn upward_imports(source: &Source, order: &Order) -> Vec<Violation> {
         .collect()
 }
 
-impl Order {
+impl FolderOrder {
     fn rank(&self, folder: &str) -> Option<usize> {
         self.folders.iter().position(|name| *name == folder)
     }
@@ -121,7 +121,7 @@ impl Order {
 }
 
 /// The views, from the look to the whole (docs: `ARCHITECTURE.md`).
-const UI: Order = Order {
+const UI: FolderOrder = FolderOrder {
     sources: "crates/ui/src",
     folders: &[
         "tokens",
@@ -208,7 +208,7 @@ fn target_folder<'a>(module: &[&str], path: &'a NamedPath) -> Option<&'a str> {
 mod tests {
     use super::*;
 
-    const LADDER: Order = Order {
+    const LADDER: FolderOrder = FolderOrder {
         sources: "house/src",
         folders: &[
             "frames",

@@ -7,7 +7,7 @@ use pilotage_core::flight::log::{LogFormat, recognise};
 
 use super::dataflash::Form;
 use super::made;
-use super::mcap::{self, Packing};
+use super::mcap::{self, McapPacking};
 use super::tlog;
 use crate::data::shared;
 
@@ -42,7 +42,7 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
             files.push(thinned_text(&made::of_2013(Form::Text, 12), 0));
         }
         LogFormat::Mcap => {
-            for packing in Packing::ALL {
+            for packing in McapPacking::ALL {
                 files.extend(
                     [(4, 4), (9, 4), (30, 15)]
                         .map(|(count, chunk)| mcap::file(packing, count, chunk)),

@@ -16,7 +16,7 @@ pub enum Form {
 
 /// A value as the binary log stores it: hundredths of degrees are a whole number.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum DataflashValue {
     /// A whole number.
     Whole(i128),
     /// A number with a fraction.
@@ -30,18 +30,18 @@ pub enum Value {
 }
 
 /// A whole number.
-pub fn whole(number: impl Into<i128>) -> Value {
-    Value::Whole(number.into())
+pub fn whole(number: impl Into<i128>) -> DataflashValue {
+    DataflashValue::Whole(number.into())
 }
 
 /// A number with a fraction.
-pub fn real(number: impl Into<f64>) -> Value {
-    Value::Real(number.into())
+pub fn real(number: impl Into<f64>) -> DataflashValue {
+    DataflashValue::Real(number.into())
 }
 
 /// Letters.
-pub fn text(text: &str) -> Value {
-    Value::Text(text.to_owned())
+pub fn text(text: &str) -> DataflashValue {
+    DataflashValue::Text(text.to_owned())
 }
 
 /// Numbers of the messages about units.
@@ -97,7 +97,7 @@ impl DataflashWriter {
             0x80,
             &[
                 whole(number),
-                Value::Whole(length as i128),
+                DataflashValue::Whole(length as i128),
                 text(name),
                 text(letters),
                 text(columns),
@@ -130,7 +130,7 @@ impl DataflashWriter {
     ///
     /// # Panics
     /// If its kind was not announced, or its values are not those of its letters.
-    pub fn row(&mut self, number: u8, values: &[Value]) {
+    pub fn row(&mut self, number: u8, values: &[DataflashValue]) {
         let (name, letters) = &self.kinds[&number];
         assert_eq!(values.len(), letters.len(), "{name}: {letters}");
         match self.form {
@@ -153,36 +153,40 @@ impl DataflashWriter {
     }
 }
 
-fn put_bytes(letter: char, value: &Value, bytes: &mut Vec<u8>) {
+fn put_bytes(letter: char, value: &DataflashValue, bytes: &mut Vec<u8>) {
     let end = bytes.len() + size(letter);
     match (letter, value) {
-        ('f', Value::Real(number)) => bytes.extend((*number as f32).to_le_bytes()),
-        ('d', Value::Real(number)) => bytes.extend(number.to_le_bytes()),
-        ('g', Value::Half(bits)) => bytes.extend(bits.to_le_bytes()),
-        ('a', Value::Array(numbers)) => bytes.extend(numbers.iter().flat_map(|n| n.to_le_bytes())),
-        ('n' | 'N' | 'Z', Value::Text(text)) => bytes.extend(text.bytes().take(size(letter))),
-        (_, Value::Whole(number)) => bytes.extend(&number.to_le_bytes()[..size(letter)]),
+        ('f', DataflashValue::Real(number)) => bytes.extend((*number as f32).to_le_bytes()),
+        ('d', DataflashValue::Real(number)) => bytes.extend(number.to_le_bytes()),
+        ('g', DataflashValue::Half(bits)) => bytes.extend(bits.to_le_bytes()),
+        ('a', DataflashValue::Array(numbers)) => {
+            bytes.extend(numbers.iter().flat_map(|n| n.to_le_bytes()))
+        }
+        ('n' | 'N' | 'Z', DataflashValue::Text(text)) => {
+            bytes.extend(text.bytes().take(size(letter)))
+        }
+        (_, DataflashValue::Whole(number)) => bytes.extend(&number.to_le_bytes()[..size(letter)]),
         _ => panic!("the letter {letter} is not for {value:?}"),
     }
     bytes.resize(end, 0);
 }
 
-fn put_text(letter: char, value: &Value, line: &mut String) {
+fn put_text(letter: char, value: &DataflashValue, line: &mut String) {
     let written = match (letter, value) {
-        ('f', Value::Real(number)) => write!(line, "{}", *number as f32),
-        ('d', Value::Real(number)) => write!(line, "{number}"),
-        ('g', Value::Half(bits)) => {
+        ('f', DataflashValue::Real(number)) => write!(line, "{}", *number as f32),
+        ('d', DataflashValue::Real(number)) => write!(line, "{number}"),
+        ('g', DataflashValue::Half(bits)) => {
             let number = FieldKind::F16.number(&bits.to_le_bytes());
             write!(line, "{}", number.unwrap_or(f64::NAN))
         }
-        ('a', Value::Array(numbers)) => {
+        ('a', DataflashValue::Array(numbers)) => {
             let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
             write!(line, "[{}]", numbers.join(" "))
         }
-        ('n' | 'N' | 'Z', Value::Text(text)) => write!(line, "{text}"),
-        ('c' | 'C' | 'e' | 'E', Value::Whole(number)) => decimal(*number, 2, line),
-        ('L', Value::Whole(number)) => decimal(*number, 7, line),
-        (_, Value::Whole(number)) => write!(line, "{number}"),
+        ('n' | 'N' | 'Z', DataflashValue::Text(text)) => write!(line, "{text}"),
+        ('c' | 'C' | 'e' | 'E', DataflashValue::Whole(number)) => decimal(*number, 2, line),
+        ('L', DataflashValue::Whole(number)) => decimal(*number, 7, line),
+        (_, DataflashValue::Whole(number)) => write!(line, "{number}"),
         _ => panic!("the letter {letter} is not for {value:?}"),
     };
     written.expect("a string takes what it is given");

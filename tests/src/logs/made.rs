@@ -3,7 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::dataflash::{DataflashWriter, Form, Value, real, text, whole};
+use super::dataflash::{DataflashValue, DataflashWriter, Form, real, text, whole};
 
 /// The units of `ArduPilot` that are used here.
 const UNITS: [(char, &str); 14] = [
@@ -176,7 +176,7 @@ pub fn modern(form: Form, seed: u64, rows: usize) -> Vec<u8> {
 const PLACE: [i32; 2] = [-379_596_764, 1_447_648_038];
 
 /// Parameters, words, a mission and a piece of a file.
-fn beginning(writer: &mut DataflashWriter, next: &mut impl FnMut() -> Value) {
+fn beginning(writer: &mut DataflashWriter, next: &mut impl FnMut() -> DataflashValue) {
     for (name, value) in [("ARSPD_RATIO", 1.75), ("SYSID_THISMAV", 7.0)] {
         let values = [next(), text(name), real(value), real(f64::NAN)];
         writer.row(PARAMETER, &values);
@@ -197,7 +197,7 @@ fn beginning(writer: &mut DataflashWriter, next: &mut impl FnMut() -> Value) {
 }
 
 /// A row of one of the sensors in turn.
-fn sensor(i: usize, writer: &mut DataflashWriter, time: Value, random: &mut ChaCha8Rng) {
+fn sensor(i: usize, writer: &mut DataflashWriter, time: DataflashValue, random: &mut ChaCha8Rng) {
     let mut some = |size: f64| real(size * (random.random::<f64>() - 0.5));
     let instance = whole((i % 3) as u32);
     match i % 7 {
@@ -235,7 +235,7 @@ fn sensor(i: usize, writer: &mut DataflashWriter, time: Value, random: &mut ChaC
 /// Rows of every letter: smallest, largest and drawn values.
 fn letters(
     writer: &mut DataflashWriter,
-    next: &mut impl FnMut() -> Value,
+    next: &mut impl FnMut() -> DataflashValue,
     random: &mut ChaCha8Rng,
 ) {
     let mut words = vec![0, u64::MAX, 1 << 63 | 1 << 31 | 1 << 15 | 1 << 7];
@@ -253,7 +253,7 @@ fn letters(
         let reals = [
             real(f32::from_bits(word as u32)),
             real(f64::from_bits(word)),
-            Value::Half(word as u16),
+            DataflashValue::Half(word as u16),
             whole((word % 27) as u8),
         ];
         writer.row(NUMBERS, &[&[next()], &signed[..], &reals].concat());
@@ -266,7 +266,10 @@ fn letters(
         let scaled = [c, upper_c, e.clone(), upper_e, e];
         writer.row(SCALED, &[&[next()], &scaled[..], &texts].concat());
         let array = std::array::from_fn(|i| (word >> i) as i16);
-        writer.row(ARRAY, &[next(), whole(word as u16), Value::Array(array)]);
+        writer.row(
+            ARRAY,
+            &[next(), whole(word as u16), DataflashValue::Array(array)],
+        );
     }
 }
 

@@ -4,7 +4,7 @@ use std::io::Write as _;
 
 /// Compression of chunks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Packing {
+pub enum McapPacking {
     /// There are none: messages stand by themselves.
     NoChunks,
     /// Not at all.
@@ -15,7 +15,7 @@ pub enum Packing {
     Zstandard,
 }
 
-impl Packing {
+impl McapPacking {
     /// Every way.
     pub const ALL: [Self; 4] = [Self::NoChunks, Self::Not, Self::Lz4, Self::Zstandard];
 }
@@ -188,16 +188,16 @@ fn messages(first: u64, count: u64) -> Vec<u8> {
     (first..first + count).flat_map(one).collect()
 }
 
-fn chunk(packing: Packing, records: &[u8]) -> Vec<u8> {
+fn chunk(packing: McapPacking, records: &[u8]) -> Vec<u8> {
     let (name, packed) = match packing {
-        Packing::NoChunks => return records.to_vec(),
-        Packing::Not => ("", records.to_vec()),
-        Packing::Lz4 => {
+        McapPacking::NoChunks => return records.to_vec(),
+        McapPacking::Not => ("", records.to_vec()),
+        McapPacking::Lz4 => {
             let mut encoder = lz4_flex::frame::FrameEncoder::new(Vec::new());
             encoder.write_all(records).expect("memory takes it");
             ("lz4", encoder.finish().expect("memory takes it"))
         }
-        Packing::Zstandard => {
+        McapPacking::Zstandard => {
             use ruzstd::encoding::{CompressionLevel, compress_to_vec};
             ("zstd", compress_to_vec(records, CompressionLevel::Fastest))
         }
@@ -218,7 +218,7 @@ fn chunk(packing: Packing, records: &[u8]) -> Vec<u8> {
 }
 
 /// A file of `count` messages of four kinds, `in_chunk` of them together, with a summary.
-pub fn file(packing: Packing, count: u64, in_chunk: u64) -> Vec<u8> {
+pub fn file(packing: McapPacking, count: u64, in_chunk: u64) -> Vec<u8> {
     let mut file = [MAGIC, &record(1, &[&text(b"test"), &text(b"by hand")])].concat();
     for first in (0..count).step_by(in_chunk as usize) {
         let described = if first == 0 { schemas() } else { Vec::new() };

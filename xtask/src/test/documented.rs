@@ -1,6 +1,6 @@
 //! Documentation that was made while compiling (`compiler.rs`).
 
-use crate::{compiler::Pass, failure::Failure, metadata};
+use crate::{compiler::CompilerPass, failure::Failure, metadata};
 
 /// Checks that everything that was compiled of the packages that `are_asked_for` is documented without a word.
 pub fn check(are_asked_for: impl Fn(&str) -> bool) -> Result<(), Failure> {
@@ -15,7 +15,7 @@ pub fn check(are_asked_for: impl Fn(&str) -> bool) -> Result<(), Failure> {
                 .as_str()
                 .unwrap_or_default()
                 .replace('-', "_");
-            match Pass::Documentation.said(&name) {
+            match CompilerPass::Documentation.said(&name) {
                 Some(said) if said.is_empty() => {}
                 Some(said) => {
                     eprintln!("{said}");

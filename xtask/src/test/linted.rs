@@ -8,7 +8,7 @@ use std::{
 use serde_json::Value;
 
 use crate::{
-    compiler::{self, Pass},
+    compiler::{self, CompilerPass},
     failure::Failure,
     page::{self, PROGRAMS, Profile},
     process::{CARGO_ADVICE, capture, cargo, succeed},
@@ -44,11 +44,11 @@ pub fn check_page() -> Result<(), Failure> {
     let missing = PROGRAMS.map(|name| name.replace('-', "_"));
     if let Some(name) = missing
         .iter()
-        .find(|name| Pass::PageLints.said(name).is_none())
+        .find(|name| CompilerPass::PageLints.said(name).is_none())
     {
         return Err(Failure::Check(format!("{name} was not linted")));
     }
-    let said = Pass::PageLints.all_said()?;
+    let said = CompilerPass::PageLints.all_said()?;
     judge(&said.into_iter().filter(|said| !said.is_empty()).collect())
 }
 

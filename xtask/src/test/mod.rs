@@ -30,13 +30,13 @@ use crate::{
 pub use changed::{Reach, reach};
 pub use native::store_first_seconds;
 use native::{Extent, Packages};
-use program::Program;
+use program::CheckProgram;
 use programs::Outcomes;
 use table::Table;
 
 /// Choice of the checks that are run, and of the packages that they are run on.
 #[derive(Debug)]
-pub struct Choice {
+pub struct CheckChoice {
     /// Without documentation, oracles and browser.
     pub quick: bool,
     /// Only checks with this word in their name.
@@ -75,7 +75,12 @@ struct Ran {
 impl Ran {
     /// Runs the native tests. Those of a full run ask other people's programs, and the demo is flown for the journeys
     /// beside them: neither keeps more than one core busy.
-    fn tests(&mut self, packages: &Packages, choice: &Choice, page: bool) -> Result<(), Failure> {
+    fn tests(
+        &mut self,
+        packages: &Packages,
+        choice: &CheckChoice,
+        page: bool,
+    ) -> Result<(), Failure> {
         let is_full = !choice.quick && choice.only.is_none();
         let python = (is_full && packages.hold("pilotage-tests")).then(oracles::interpreter);
         let python = python.and_then(Result::ok);
@@ -102,14 +107,14 @@ impl Ran {
     /// Judges the tests that ask other people's programs, or runs them.
     fn oracles(&self) -> Result<(), Failure> {
         match &self.oracles {
-            Some(outcomes) => outcomes.judge(Program::asks_oracles),
+            Some(outcomes) => outcomes.judge(CheckProgram::asks_oracles),
             None => oracles::check(),
         }
     }
 }
 
 /// Runs the checks and prints the table.
-pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
+pub fn run(choice: &CheckChoice) -> Result<ExitCode, Failure> {
     let mut table = Table::new(choice.only.clone());
     let packages = Packages::of(choice.reach.as_ref());
     let page_is_reached = choice.reach.as_ref().is_none_or(|reach| reach.page);

@@ -7,7 +7,7 @@ use std::{
     slice,
 };
 
-use super::{fingerprint, program::Program};
+use super::{fingerprint, program::CheckProgram};
 use crate::{failure::Failure, places};
 
 /// What lies outside of the packages and is read by their tests while they run, by the end of a package's name.
@@ -59,7 +59,7 @@ impl Sources {
     }
 
     /// The print of `one`, which was built just now.
-    pub fn print(&self, one: &Program) -> Print {
+    pub fn print(&self, one: &CheckProgram) -> Print {
         let read = READ.iter().filter(|(place, _)| {
             let package = one.name.split('/').next().unwrap_or_default();
             readers_of(place).any(|reader| reader == package)
@@ -135,14 +135,14 @@ mod tests {
     use super::*;
 
     /// A folder with a program of a package that links all others, its sources and a file that it reads.
-    fn built(name: &str) -> (PathBuf, Program) {
+    fn built(name: &str) -> (PathBuf, CheckProgram) {
         let folder = std::env::temp_dir().join(format!("pilotage-{name}-{}", std::process::id()));
         let sources = folder.join("sources");
         fs::create_dir_all(sources.join("deep")).unwrap();
         fs::write(sources.join("deep/lib.rs"), "fn main() {}").unwrap();
         fs::write(sources.join("deep/flight.csv"), "t,lat").unwrap();
         fs::write(folder.join("b"), "first").unwrap();
-        let one = Program {
+        let one = CheckProgram {
             name: "pilotage-ui/b".to_owned(),
             executable: folder.join("b"),
             folder: sources,

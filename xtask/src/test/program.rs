@@ -31,7 +31,7 @@ pub const SURFACES: [&str; 3] = ["pilotage-jobs", "pilotage-ui", "pilotage-cli"]
 
 /// A test program.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Program {
+pub struct CheckProgram {
     /// Package and target, such as `pilotage-tests/scenarios`.
     pub name: String,
     /// The file that is run.
@@ -42,7 +42,7 @@ pub struct Program {
     pub arguments: Vec<String>,
 }
 
-impl Program {
+impl CheckProgram {
     /// Its place in the order in which they begin.
     pub fn rank(&self) -> usize {
         let target = self.name.rsplit('/').next();
@@ -64,21 +64,21 @@ impl Program {
 }
 
 /// The test program that a message of cargo tells of.
-pub fn of_message(line: &str) -> Option<Program> {
+pub fn of_message(line: &str) -> Option<CheckProgram> {
     let message: Value = serde_json::from_str(line).ok()?;
     message["profile"]["test"].as_bool().filter(|test| *test)?;
     program(&message)
 }
 
 /// The program `name`, which is no test, if it is what a message of cargo tells of.
-pub fn named_in_message(name: &str, line: &str) -> Option<Program> {
+pub fn named_in_message(name: &str, line: &str) -> Option<CheckProgram> {
     let message: Value = serde_json::from_str(line).ok()?;
     let is_named = message["target"]["name"] == name && message["target"]["kind"][0] == "bin";
     let is_test = message["profile"]["test"].as_bool()?;
     (is_named && !is_test).then(|| program(&message))?
 }
 
-fn program(message: &Value) -> Option<Program> {
+fn program(message: &Value) -> Option<CheckProgram> {
     let executable = PathBuf::from(message["executable"].as_str()?);
     let folder = Path::new(message["manifest_path"].as_str()?).parent()?;
     let target = message["target"]["name"].as_str()?;
@@ -88,7 +88,7 @@ fn program(message: &Value) -> Option<Program> {
         Some((name, _)) => name.to_owned(),
         None => folder.file_name()?.to_str()?.to_owned(),
     };
-    Some(Program {
+    Some(CheckProgram {
         name: format!("{package}/{target}"),
         executable,
         folder: folder.to_owned(),

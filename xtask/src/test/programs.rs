@@ -13,7 +13,7 @@ use std::{
 use super::{
     linted::native_cargo,
     passed::{Passed, Print, Sources},
-    program::{LONG, Program, SURFACES, named_in_message, of_message},
+    program::{CheckProgram, LONG, SURFACES, named_in_message, of_message},
 };
 use crate::{
     failure::Failure,
@@ -33,17 +33,17 @@ const STUDIES: &str = "PILOTAGE_STUDIES";
 
 /// Programs that were run, and whether each passed.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Outcomes(Vec<(Program, bool)>);
+pub struct Outcomes(Vec<(CheckProgram, bool)>);
 
 impl Outcomes {
     /// Whether one of `these` was run, and passed.
-    pub fn has_passed(&self, these: impl Fn(&Program) -> bool) -> bool {
+    pub fn has_passed(&self, these: impl Fn(&CheckProgram) -> bool) -> bool {
         let mut outcomes = self.0.iter();
         outcomes.any(|(one, has_passed)| *has_passed && these(one))
     }
 
     /// Fails with the names of those among `these` that did.
-    pub fn judge(&self, these: impl Fn(&Program) -> bool) -> Result<(), Failure> {
+    pub fn judge(&self, these: impl Fn(&CheckProgram) -> bool) -> Result<(), Failure> {
         let outcomes = self.0.iter();
         let failed: Vec<&str> = outcomes
             .filter(|(one, has_passed)| !has_passed && these(one))
@@ -76,13 +76,13 @@ pub fn test(
         .map(|one| (one.name.clone(), sources.print(one)))
         .collect();
     if quick {
-        let mut left_out = |keep: &dyn Fn(&Program) -> bool| {
+        let mut left_out = |keep: &dyn Fn(&CheckProgram) -> bool| {
             let before = programs.len();
             programs.retain(keep);
             before - programs.len()
         };
         let long = left_out(&|one| !one.takes_long());
-        let is_known = |one: &Program| {
+        let is_known = |one: &CheckProgram| {
             prints
                 .get(&one.name)
                 .filter(|_| !manner.asks_over_all_seeds())
@@ -104,7 +104,7 @@ pub fn test(
         let mut terminal = told
             .lines()
             .filter_map(|line| named_in_message(TERMINAL, line));
-        let terminal = terminal.next().map(|terminal| Program {
+        let terminal = terminal.next().map(|terminal| CheckProgram {
             arguments: arguments.iter().map(ToString::to_string).collect(),
             ..terminal
         });
@@ -138,7 +138,7 @@ fn folders_of_surfaces() -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// The programs in the order in which they begin.
-fn in_order(mut programs: Vec<Program>) -> Vec<Program> {
+fn in_order(mut programs: Vec<CheckProgram>) -> Vec<CheckProgram> {
     programs.sort_by_key(|one| (one.rank(), one.name.clone()));
     programs
 }
@@ -190,7 +190,11 @@ fn build(arguments: &[&str]) -> Result<String, Failure> {
 
 /// Runs the programs, as many at a time as there are cores, each on one; whether each passed. How each went is told
 /// when it is over.
-fn run_all(programs: Vec<Program>, manner: &Manner<'_>, tell: &(dyn Fn(&str) + Sync)) -> Outcomes {
+fn run_all(
+    programs: Vec<CheckProgram>,
+    manner: &Manner<'_>,
+    tell: &(dyn Fn(&str) + Sync),
+) -> Outcomes {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let queue = Mutex::new(programs.into_iter());
     let outcomes = Mutex::new(Vec::new());
@@ -213,7 +217,7 @@ fn run_all(programs: Vec<Program>, manner: &Manner<'_>, tell: &(dyn Fn(&str) + S
 }
 
 /// Runs a program: whether it passed, and how it went in words, with all that it said if it failed.
-fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
+fn run_one(one: &CheckProgram, manner: &Manner<'_>) -> (bool, String) {
     let mut command: Command = program(&one.executable);
     command.current_dir(&one.folder);
     command.env("CARGO_MANIFEST_DIR", &one.folder);
@@ -258,7 +262,7 @@ mod tests {
 
     #[test]
     fn a_program_that_cannot_be_run_fails() {
-        let missing = Program {
+        let missing = CheckProgram {
             name: "a/b".to_owned(),
             executable: PathBuf::from("/nowhere/b"),
             folder: std::env::temp_dir(),
@@ -271,7 +275,7 @@ mod tests {
         assert!(
             !outcomes.has_passed(|_| true)
                 && outcomes.judge(|_| true).is_err()
-                && outcomes.judge(Program::asks_oracles).is_ok()
+                && outcomes.judge(CheckProgram::asks_oracles).is_ok()
         );
         let said = said.into_inner().unwrap();
         assert!(

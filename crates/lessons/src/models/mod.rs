@@ -21,5 +21,5 @@ pub use route_belief::{RouteBelief, SPEED};
 pub use symptoms::draw_symptoms;
 pub use thesis_view::{AIRCRAFT, HEIGHT, LANDMARK, pose_at, seen_from};
 pub use watched_flight::{
-    AIRSPEED, Flown, FlownMoment, LOOK, Look, SEED, WatchedFlight, Way, gate_of_looks,
+    AIRSPEED, FlownMoment, LOOK, Look, SEED, WatchedFlight, WatchedRun, Way, gate_of_looks,
 };

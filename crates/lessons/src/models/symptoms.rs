@@ -2,7 +2,7 @@
 
 use nalgebra::vector;
 
-use super::watched_flight::{Flown, gate_of_looks};
+use super::watched_flight::{WatchedRun, gate_of_looks};
 use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
 use crate::text::Words;
 
@@ -15,7 +15,7 @@ const MOST_NIS: f64 = 20.0;
 ///
 /// Parts: `innovation`, `nis`, `gate`, `error`, `deviation`. Words: `innovation`, `nis`, `error`, `time`, `ahead`,
 /// `right`, `limits`, `gate`, `off`, `stated`.
-pub fn draw_symptoms(flown: &Flown, reach: f64, error: f64, words: &Words) -> Svg {
+pub fn draw_symptoms(flown: &WatchedRun, reach: f64, error: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 480.0);
     let time = || Axis::new(SECONDS, words.get("time"));
     let panel = |from: f64, to: f64| [vector![0.0, from], vector![640.0, to]];

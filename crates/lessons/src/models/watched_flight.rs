@@ -126,14 +126,14 @@ pub struct FlownMoment {
 
 /// Flight as it went.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Flown {
+pub struct WatchedRun {
     /// Looks in their order.
     pub looks: Vec<Look>,
     /// Moments, a second apart.
     pub moments: Vec<FlownMoment>,
 }
 
-impl Flown {
+impl WatchedRun {
     /// NIS of all looks with the bounds of its mean.
     pub fn consistency(&self) -> Option<ConsistencySummary> {
         let mut nis = Consistency::default();
@@ -191,11 +191,11 @@ fn wider(covariance: &Matrix2<f64>) -> f64 {
 
 impl WatchedFlight {
     /// Flies it; nothing where the filter refuses.
-    pub fn fly(&self) -> Flown {
+    pub fn fly(&self) -> WatchedRun {
         self.flown().unwrap_or_default()
     }
 
-    fn flown(&self) -> Option<Flown> {
+    fn flown(&self) -> Option<WatchedRun> {
         let mut random = ChaCha8Rng::seed_from_u64(SEED);
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
         let mut chance = ChaCha8Rng::seed_from_u64(SEED + 1);
@@ -211,7 +211,7 @@ impl WatchedFlight {
         .ok()?;
         let mut truth = Vector4::new(START * normal(), START * normal(), self.wind.x, self.wind.y);
         let (mut places, mut inputs) = (vec![truth], Vec::new());
-        let mut flown = Flown::default();
+        let mut flown = WatchedRun::default();
         let steps = (SECONDS / STEP) as usize;
         let each_look = (self.between / STEP).round().max(1.0) as usize;
         for step in 1..=steps {
