@@ -1,4 +1,4 @@
-//! Names of public types: a name means one thing in the whole workspace.
+//! Names of types that other files see: a name means one thing in the whole workspace.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::{Violation, sources::Source};
 
-/// Names that several public types share, each with the reason.
+/// Names that several such types share, each with the reason.
 pub const SHARED: [(&str, &str); 2] = [
     (
         "Arguments",
@@ -21,7 +21,8 @@ pub const SHARED: [(&str, &str); 2] = [
 /// Words before the name of a type that is declared.
 const DECLARING: [&str; 5] = ["struct", "enum", "trait", "type", "union"];
 
-/// Public types of `sources` whose name another has that comes earlier, but for the names in `shared`.
+/// Public types of `sources`, those behind `pub(…)` too, whose name another has that comes earlier, but for the names in
+/// `shared`.
 pub fn shared_names(sources: &[Source], shared: &[(&str, &str)]) -> Vec<Violation> {
     let mut first: BTreeMap<String, String> = BTreeMap::new();
     let mut found = Vec::new();
@@ -74,7 +75,8 @@ fn look_through(tokens: TokenStream, found: &mut Vec<(usize, String)>) {
     for (at, token) in tokens.iter().enumerate() {
         match token {
             TokenTree::Ident(word) if word == "pub" => {
-                let after = tokens[at + 1..].iter().take(2);
+                let after = tokens[at + 1..].iter();
+                let after = after.skip_while(|token| is_in_parentheses(token)).take(2);
                 if let [TokenTree::Ident(kind), TokenTree::Ident(name)] =
                     after.collect::<Vec<_>>()[..]
                     && DECLARING.iter().any(|declaring| kind == declaring)
@@ -90,6 +92,11 @@ fn look_through(tokens: TokenStream, found: &mut Vec<(usize, String)>) {
             _ => {}
         }
     }
+}
+
+/// Whether a token is a group in parentheses, as what tells behind `pub` how far something is seen.
+fn is_in_parentheses(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
 }
 
 /// Whether `before`, what stands before a block, ends in `mod tests`.
@@ -121,10 +128,19 @@ mod tests {
                 "d/src/job.rs",
                 "macro_rules! m { () => { pub trait Peak {} } }",
             ),
+            (
+                "e/src/peak.rs",
+                "pub(in crate::e) struct Peak(pub(super) f64);",
+            ),
         ];
         assert_eq!(
             places(&files),
-            ["b/src/peak.rs:5", "c/src/lib.rs:2", "d/src/job.rs:1"]
+            [
+                "b/src/peak.rs:5",
+                "c/src/lib.rs:2",
+                "d/src/job.rs:1",
+                "e/src/peak.rs:1"
+            ]
         );
     }
 
@@ -133,7 +149,7 @@ mod tests {
         let files = [
             ("a.rs", "pub struct Peak;\npub struct Arguments;"),
             ("b.rs", "struct Peak;\npub struct Arguments;"),
-            ("c.rs", "pub(crate) struct Peak;\npub use a::Peak;"),
+            ("c.rs", "fn f() { struct Peak; }\npub use a::Peak;"),
             ("d.rs", "mod tests { pub struct Peak; }\nfn f(_: Peak) {}"),
             ("e.rs", "impl A for B { type Peak = f64; }"),
         ];

@@ -9,7 +9,7 @@
 use rand::RngExt;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::draws::Draws;
+use super::draws::PredictionDraws;
 use super::{ExpectedDetection, LookTally};
 use pilotage_base::statistics::normal_probability;
 
@@ -19,14 +19,14 @@ const STEPS: usize = 20;
 const NODES: (usize, f64) = (25, 4.0);
 
 /// Detection that was stated of a landmark, and tallies of its rehearsals, day by day.
-pub(super) type Rehearsed<'a> = (ExpectedDetection, &'a [LookTally]);
+pub(super) type RehearsedLandmark<'a> = (ExpectedDetection, &'a [LookTally]);
 
 /// Mean of ρ after those rehearsals, where any value was as likely before; zero where not two landmarks
 /// were rehearsed on the same days.
-pub(super) fn shared(landmarks: &[Rehearsed<'_>]) -> f64 {
+pub(super) fn shared(landmarks: &[RehearsedLandmark<'_>]) -> f64 {
     let days = landmarks.iter().map(|(_, days)| days.len()).max();
     let days = days.unwrap_or(0);
-    let rehearsed: Vec<&Rehearsed<'_>> = landmarks
+    let rehearsed: Vec<&RehearsedLandmark<'_>> = landmarks
         .iter()
         .filter(|(_, tallies)| tallies.len() == days)
         .collect();
@@ -52,7 +52,12 @@ pub(super) fn shared(landmarks: &[Rehearsed<'_>]) -> f64 {
 }
 
 /// Probability of what was seen of all landmarks on a day.
-fn likelihood(landmarks: &[&Rehearsed<'_>], thresholds: &[f64], day: usize, rho: f64) -> f64 {
+fn likelihood(
+    landmarks: &[&RehearsedLandmark<'_>],
+    thresholds: &[f64],
+    day: usize,
+    rho: f64,
+) -> f64 {
     let (nodes, outermost) = NODES;
     let (mut sum, mut whole) = (0.0, 0.0);
     for node in 0..nodes {
@@ -90,7 +95,7 @@ fn quantile(p: f64) -> f64 {
 /// that is more probable. All of them lie evenly for every landmark, whose probability is met as well as
 /// so many worlds can, and they go together as `rho` says.
 pub(super) fn worlds(weights: &[f64], landmarks: &[u32], rho: f64, seed: u64) -> Vec<Vec<f64>> {
-    let mut draws = Draws::new(!seed); // not those of the flights
+    let mut draws = PredictionDraws::new(!seed); // not those of the flights
     let worlds = weights.len();
     let whole: f64 = weights.iter().sum();
     let days: Vec<f64> = (0..worlds)

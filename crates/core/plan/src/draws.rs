@@ -8,9 +8,9 @@ const WORDS: u128 = 64;
 
 /// Random numbers by what they are for: those for one landmark are the same whichever others there are, and those of a
 /// frame whatever was drawn before (common random numbers), so that predictions of two plans differ by the plans.
-pub(super) struct Draws(ChaCha8Rng);
+pub(super) struct PredictionDraws(ChaCha8Rng);
 
-impl Draws {
+impl PredictionDraws {
     /// Numbers of a seed.
     pub(super) fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))

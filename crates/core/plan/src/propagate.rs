@@ -7,7 +7,7 @@ use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::corridor::WorldError;
-use super::draws::Draws;
+use super::draws::PredictionDraws;
 use super::request::{PredictionError, PredictionRequest};
 use super::view::{Information, PlannedFrame, PlannedLook, seen};
 use pilotage_base::frames::{GroundPoint, Pose};
@@ -86,7 +86,7 @@ impl Propagation<'_> {
         let seen = seen(&model.layout());
         let gusty = self.gusts_of(model);
         let vehicle = gusty.as_ref().unwrap_or(model);
-        let mut draws = Draws::new(self.seed);
+        let mut draws = PredictionDraws::new(self.seed);
         let prior = self.prior((model, vehicle), first);
         let worlds = self.worlds.iter().map(|recognised| FlightWorld {
             recognised: recognised.clone(),
@@ -178,7 +178,7 @@ impl Propagation<'_> {
         worlds: &mut [FlightWorld<N>],
         on_state: &SMatrix<f64, N, 5>,
         noise: &SensorNoise,
-        (number, draws): (usize, &mut Draws),
+        (number, draws): (usize, &mut PredictionDraws),
     ) -> Result<(Vec<f64>, f64), PredictionError> {
         let request = self.request;
         let frame = PlannedFrame {

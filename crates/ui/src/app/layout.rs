@@ -10,7 +10,7 @@ use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton, examined, lack};
-use crate::map::{LookAlike, MapExtra, MapTool};
+use crate::map::{LookAlikeOnMap, MapExtra, MapTool};
 use crate::shell::{MenuTable, TopBar, column_tabs, icon_button, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
@@ -638,7 +638,7 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
             let look_alike = examined(features, scene.selection, scene.documents);
             // Beside a picture that is put on the ground, nobody asks about the selected landmark.
             let look_alike = look_alike.found.filter(|_| beside.is_none());
-            let look_alike = look_alike.and_then(LookAlike::of);
+            let look_alike = look_alike.and_then(LookAlikeOnMap::of);
             let buttons: Vec<_> = features.iter().filter_map(|it| it.map_button()).collect();
             let mut tools: Vec<&mut dyn MapTool> = Vec::new();
             for (index, feature) in features.iter_mut().enumerate() {

@@ -5,8 +5,8 @@ use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::place_text::{place_of_text, place_of_text_near, town_of_short_code};
 use serde_json::Value;
 
-use super::mark::Mark;
-use super::places::World;
+use super::mark::GoToMark;
+use super::places::OpenWorld;
 use super::{GoTo, GoToCommand, ID};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -66,15 +66,15 @@ impl GoTo {
     }
 
     /// The place that is typed or chosen, or why there is none.
-    fn meant(&self, context: &FeatureContext<'_>) -> Result<Mark, String> {
+    fn meant(&self, context: &FeatureContext<'_>) -> Result<GoToMark, String> {
         let text = self.typed.trim().to_owned();
         let read = match town_of_short_code(&text) {
             None => place_of_text(&text),
             Some(town) => place_of_text_near(&text, &self.near(town, context)?),
         };
         match (read, self.offered.get(self.chosen)) {
-            (Ok(place), _) => Ok(Mark { place, text }),
-            (Err(_), Some((town, _))) => Ok(Mark {
+            (Ok(place), _) => Ok(GoToMark { place, text }),
+            (Err(_), Some((town, _))) => Ok(GoToMark {
                 place: town.place,
                 text: town.name.clone(),
             }),
@@ -130,10 +130,10 @@ impl GoTo {
 }
 
 /// The open world, if it has a place on the globe.
-fn world(context: &FeatureContext<'_>) -> Option<World> {
+fn world(context: &FeatureContext<'_>) -> Option<OpenWorld> {
     let frame = LocalFrame::new(context.documents.world_origin()?);
     let middle = frame.geodetic_from_ground(&context.map.camera.center);
-    Some(World { frame, middle })
+    Some(OpenWorld { frame, middle })
 }
 
 impl Feature for GoTo {

@@ -11,12 +11,12 @@ const RADIUS: f32 = 6.0;
 
 /// Place that was gone to, with what people called it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Mark {
+pub(super) struct GoToMark {
     pub(super) place: Geodetic,
     pub(super) text: String,
 }
 
-impl MapLayer for Mark {
+impl MapLayer for GoToMark {
     fn paint(
         &self,
         painter: &Painter,

@@ -8,8 +8,8 @@ mod places;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::gazetteer::FoundTown;
 
-use self::mark::Mark;
-use self::places::Places;
+use self::mark::GoToMark;
+use self::places::TownList;
 use crate::command::Command;
 use crate::feature_command::{FeatureCommand, FeatureId};
 
@@ -44,10 +44,10 @@ pub struct GoTo {
     why: String,
     /// Place that was meant, where the open map does not reach.
     elsewhere: Option<Geodetic>,
-    places: Places,
+    places: TownList,
     /// Towns that are offered, each with its row in words.
     offered: Vec<(FoundTown, String)>,
     /// Index of the one that Enter chooses.
     chosen: usize,
-    mark: Option<Mark>,
+    mark: Option<GoToMark>,
 }

@@ -13,7 +13,7 @@ const MOST: usize = 8;
 
 /// List of towns on its way.
 #[derive(Debug, Default)]
-pub(super) enum Places {
+pub(super) enum TownList {
     #[default]
     Unasked,
     Asked,
@@ -21,7 +21,7 @@ pub(super) enum Places {
     Missing,
 }
 
-impl Places {
+impl TownList {
     /// Fetches the list, unless it is there or on its way.
     pub(super) fn ask(&mut self, host: &mut dyn Host) {
         if matches!(self, Self::Unasked | Self::Missing) {
@@ -59,7 +59,7 @@ impl Places {
 
     /// Towns whose names begin so: those in the open world first, the nearest to the middle of
     /// the map before the others.
-    pub(super) fn find(&self, text: &str, world: Option<&World>) -> Vec<FoundTown> {
+    pub(super) fn find(&self, text: &str, world: Option<&OpenWorld>) -> Vec<FoundTown> {
         let Self::Read(gazetteer) = self else {
             return Vec::new();
         };
@@ -71,12 +71,12 @@ impl Places {
 }
 
 /// Open world on the globe, with the place in the middle of the map.
-pub(super) struct World {
+pub(super) struct OpenWorld {
     pub(super) frame: LocalFrame,
     pub(super) middle: Geodetic,
 }
 
-impl World {
+impl OpenWorld {
     /// Distance of a place from the middle of the map over the ground, metres.
     pub(super) fn distance(&self, place: &Geodetic) -> f64 {
         distance_over_ground(&LocalFrame::new(self.middle), place)

@@ -10,7 +10,7 @@ use super::trial::TourTrial;
 use crate::units::Units;
 
 /// Stop of the tour: a telling moment of the run, a figure of it, something to try.
-pub(super) trait Lesson {
+pub(super) trait TourStop {
     /// Heading.
     fn title(&self) -> &'static str;
 

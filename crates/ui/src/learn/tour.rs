@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
 use super::command::LearnCommand;
-use super::lesson::Lesson;
+use super::lesson::TourStop;
 use super::moment::TourMoment;
 use super::{figure, lessons};
 use crate::command::Command;
@@ -22,7 +22,7 @@ const NOT_YET: &str = "The run on screen has no such moment, or has not come to 
 /// The tour's own state: at which stop it is.
 pub(super) struct Tour {
     /// The stops.
-    lessons: Vec<Box<dyn Lesson>>,
+    lessons: Vec<Box<dyn TourStop>>,
     number: usize,
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
@@ -70,7 +70,7 @@ impl Tour {
         self.found = None;
     }
 
-    fn current(&self) -> &dyn Lesson {
+    fn current(&self) -> &dyn TourStop {
         self.lessons[self.number].as_ref()
     }
 

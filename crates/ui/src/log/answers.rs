@@ -2,7 +2,7 @@
 
 use pilotage_jobs::{Job, JobEvent, JobId, LogAnswer, LogOrder, LogQuestion, SeriesName};
 
-use super::work::{Asked, LogFeature, Table};
+use super::work::{AskedFigures, LogFeature, TableExport};
 use super::{LogTab, SpanFigures, series_name};
 use crate::feature::FeatureContext;
 use crate::host::stem;
@@ -42,7 +42,7 @@ impl LogFeature {
         &self,
         question: LogQuestion,
         context: &FeatureContext<'_>,
-    ) -> Option<(Asked, LogOrder)> {
+    ) -> Option<(AskedFigures, LogOrder)> {
         let log = self.log.as_ref().filter(|log| log.is_read())?;
         let selected = context.playback.selected_span;
         let span = self.plots.span_of_interest(log, selected)?;
@@ -55,7 +55,7 @@ impl LogFeature {
             span,
             question,
         };
-        Some((Asked { fields, span }, order))
+        Some((AskedFigures { fields, span }, order))
     }
 
     /// Has a table of the plotted fields written.
@@ -69,7 +69,7 @@ impl LogFeature {
             context.cancel(table.job);
         }
         let name = file_name(&order.file, asked.span, "csv");
-        self.answers.table = Some(Table {
+        self.answers.table = Some(TableExport {
             job: context.start(Job::AskLog(Box::new(order))),
             name,
             progress: 0.0,

@@ -6,7 +6,7 @@ use super::against::{self, AgainstScene};
 use super::arrangement::PanelContent;
 use super::cloud::{CloudKey, PixelCloud};
 use super::scene::{PanelScene, colour, curve, mode_bands, y_range};
-use super::svg::{Svg, TextAnchor};
+use super::svg::{PlotSvg, PlotTextAnchor};
 use super::words::series_name;
 use super::{OpenLog, PlottedSeries};
 use crate::tokens::Tokens;
@@ -52,7 +52,7 @@ impl PlotScene<'_> {
     pub fn draw(&self) -> String {
         let (width, height) = self.extent();
         let tokens = self.tokens;
-        let mut svg = Svg::new((width, height), tokens.text_sizes[0]);
+        let mut svg = PlotSvg::new((width, height), tokens.text_sizes[0]);
         let whole = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
         svg.fill(whole, tokens.surface);
         let [from, to] = [self.span.0, self.span.1].map(|time| clock(time, self.clock_zero));
@@ -61,7 +61,7 @@ impl PlotScene<'_> {
         let mut top = margin;
         svg.text(
             pos2(margin, top + 0.6 * self.header()),
-            TextAnchor::Start,
+            PlotTextAnchor::Start,
             &title,
             tokens.text,
         );
@@ -97,7 +97,7 @@ impl PlotScene<'_> {
     }
 
     /// A sample of each line, with name and unit.
-    fn legend(&self, svg: &mut Svg, panel: &PanelContent, rect: Rect) {
+    fn legend(&self, svg: &mut PlotSvg, panel: &PanelContent, rect: Rect) {
         let text_size = self.tokens.text_sizes[0];
         let mut x = rect.left();
         let y = rect.center().y;
@@ -111,12 +111,12 @@ impl PlotScene<'_> {
             let colour = colour(self.tokens, i);
             svg.segment(pos2(x, y), pos2(x + 14.0, y), Stroke::new(2.0, colour));
             let at = pos2(x + 18.0, y + 0.35 * text_size);
-            svg.text(at, TextAnchor::Start, &text, self.tokens.text);
+            svg.text(at, PlotTextAnchor::Start, &text, self.tokens.text);
             x += 18.0 + LETTER * text_size * text.chars().count() as f32 + 2.0 * self.tokens.space;
         }
     }
 
-    fn over_time(&self, svg: &mut Svg, panel: &PanelContent, outer: Rect) {
+    fn over_time(&self, svg: &mut PlotSvg, panel: &PanelContent, outer: Rect) {
         let tokens = self.tokens;
         let mut axes = self.time_axes(outer);
         svg.fill(axes.rect, tokens.background);
@@ -150,7 +150,7 @@ impl PlotScene<'_> {
         });
     }
 
-    fn modes(&self, svg: &mut Svg, axes: &ChartAxes) {
+    fn modes(&self, svg: &mut PlotSvg, axes: &ChartAxes) {
         let tokens = self.tokens;
         let whole = self.log.span().unwrap_or(self.span);
         for (i, (from, to, name)) in mode_bands(self.log, whole).into_iter().enumerate() {
@@ -166,12 +166,12 @@ impl PlotScene<'_> {
             let text_size = tokens.text_sizes[0];
             if LETTER * text_size * name.chars().count() as f32 + tokens.space < right - left {
                 let at = pos2(left + 0.5 * tokens.space, axes.rect.top() + text_size);
-                svg.text(at, TextAnchor::Start, &name, tokens.muted);
+                svg.text(at, PlotTextAnchor::Start, &name, tokens.muted);
             }
         }
     }
 
-    fn against(&self, svg: &mut Svg, panel: &PanelContent, outer: Rect) {
+    fn against(&self, svg: &mut PlotSvg, panel: &PanelContent, outer: Rect) {
         let Some(against) = &panel.against else {
             return;
         };
@@ -230,7 +230,7 @@ impl PlotScene<'_> {
 }
 
 /// Grid lines and labels at the left.
-fn draw_y(svg: &mut Svg, tokens: &Tokens, axes: &ChartAxes) {
+fn draw_y(svg: &mut PlotSvg, tokens: &Tokens, axes: &ChartAxes) {
     for (value, text) in axes.y_ticks(tokens) {
         let y = axes.screen_y(value);
         let width = if value == 0.0 { 1.0 } else { 0.5 };
@@ -243,18 +243,18 @@ fn draw_y(svg: &mut Svg, tokens: &Tokens, axes: &ChartAxes) {
         let half = 0.4 * tokens.text_sizes[0];
         let y = y.clamp(axes.rect.top() + half, axes.rect.bottom() - half);
         let at = pos2(left - 0.5 * tokens.space, y + 0.35 * tokens.text_sizes[0]);
-        svg.text(at, TextAnchor::End, &text, tokens.muted);
+        svg.text(at, PlotTextAnchor::End, &text, tokens.muted);
     }
 }
 
 /// Labels below, with the name at the right end.
-fn draw_x(svg: &mut Svg, tokens: &Tokens, axes: &ChartAxes, name: &str) {
+fn draw_x(svg: &mut PlotSvg, tokens: &Tokens, axes: &ChartAxes, name: &str) {
     let text_size = tokens.text_sizes[0];
     let bottom = axes.rect.bottom();
     let baseline = bottom + 0.25 * tokens.space + text_size;
     svg.text(
         pos2(axes.rect.right(), baseline),
-        TextAnchor::End,
+        PlotTextAnchor::End,
         name,
         tokens.muted,
     );
@@ -269,7 +269,12 @@ fn draw_x(svg: &mut Svg, tokens: &Tokens, axes: &ChartAxes, name: &str) {
             Stroke::new(1.0, tokens.line),
         );
         if x + 0.5 * width(&text) < end {
-            svg.text(pos2(x, baseline), TextAnchor::Middle, &text, tokens.muted);
+            svg.text(
+                pos2(x, baseline),
+                PlotTextAnchor::Middle,
+                &text,
+                tokens.muted,
+            );
         }
     }
 }

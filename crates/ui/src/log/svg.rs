@@ -7,7 +7,7 @@ use pilotage_core::text::without_markup;
 
 /// Position of a text relative to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum TextAnchor {
+pub(super) enum PlotTextAnchor {
     /// To the right of it.
     Start,
     /// Around it.
@@ -18,14 +18,14 @@ pub(super) enum TextAnchor {
 
 /// A drawing.
 #[derive(Clone, Debug)]
-pub(super) struct Svg {
+pub(super) struct PlotSvg {
     body: String,
     size: (f32, f32),
     text_size: f32,
     clips: usize,
 }
 
-impl Svg {
+impl PlotSvg {
     /// An empty drawing of a size in points.
     pub fn new(size: (f32, f32), text_size: f32) -> Self {
         Self {
@@ -105,11 +105,11 @@ impl Svg {
     }
 
     /// A text on a line; its width on screen is not known here.
-    pub fn text(&mut self, at: Pos2, anchor: TextAnchor, text: &str, colour: Color32) {
+    pub fn text(&mut self, at: Pos2, anchor: PlotTextAnchor, text: &str, colour: Color32) {
         let anchor = match anchor {
-            TextAnchor::Start => "start",
-            TextAnchor::Middle => "middle",
-            TextAnchor::End => "end",
+            PlotTextAnchor::Start => "start",
+            PlotTextAnchor::Middle => "middle",
+            PlotTextAnchor::End => "end",
         };
         let _ = writeln!(
             self.body,
@@ -183,7 +183,7 @@ mod tests {
 
     #[test]
     fn a_drawing_is_well_formed_whatever_its_texts_are() {
-        let mut svg = Svg::new((100.0, 50.0), 11.0);
+        let mut svg = PlotSvg::new((100.0, 50.0), 11.0);
         let rect = Rect::from_min_max(pos2(1.0, 2.0), pos2(30.25, 40.0));
         svg.fill(rect, Color32::from_rgb(1, 2, 255));
         svg.clipped(rect, |svg| {
@@ -193,7 +193,7 @@ mod tests {
         });
         svg.text(
             pos2(3.0, 4.0),
-            TextAnchor::End,
+            PlotTextAnchor::End,
             "a < b & \"c\"\u{0}",
             Color32::GRAY,
         );

@@ -49,14 +49,14 @@ pub(super) struct Reading {
 
 /// Fields and span of the figures that were asked for last.
 #[derive(Debug, PartialEq)]
-pub(super) struct Asked {
+pub(super) struct AskedFigures {
     pub fields: Vec<SeriesName>,
     pub span: (f64, f64),
 }
 
 /// A table being written.
 #[derive(Debug)]
-pub(super) struct Table {
+pub(super) struct TableExport {
     pub job: JobId,
     /// Name of the file that it becomes.
     pub name: String,
@@ -66,9 +66,9 @@ pub(super) struct Table {
 /// Requests about a log beside its series.
 #[derive(Debug, Default)]
 pub(super) struct LogAnswers {
-    pub asked: Option<Asked>,
+    pub asked: Option<AskedFigures>,
     pub figures: Option<(JobId, SpanFigures)>,
-    pub table: Option<Table>,
+    pub table: Option<TableExport>,
 }
 
 impl LogAnswers {

@@ -14,7 +14,7 @@ const RANK: u8 = 2;
 
 /// Strongest look-alike of a landmark on the map.
 #[derive(Clone, Copy, Debug)]
-pub struct LookAlike {
+pub struct LookAlikeOnMap {
     /// Box of the landmark.
     landmark: GroundRect,
     /// Middle of the look-alike.
@@ -23,7 +23,7 @@ pub struct LookAlike {
     score: f64,
 }
 
-impl LookAlike {
+impl LookAlikeOnMap {
     /// The one that was found, if any.
     pub fn of(found: &Distinctness) -> Option<Self> {
         let (place, score) = found.look_alike?;

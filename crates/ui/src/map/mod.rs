@@ -32,7 +32,7 @@ pub use labels::LandmarkLabel;
 pub use layer::MapLayer;
 pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};
-pub use look_alike::LookAlike;
+pub use look_alike::LookAlikeOnMap;
 pub(crate) use other_world::{carry, distance_over_ground, is_in_reach, world_reach};
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
 pub use tiles::{TILES_AT_A_TIME, TileCache, TileKey};

@@ -13,7 +13,7 @@ use super::labels::LandmarkLabel;
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
-use super::look_alike::LookAlike;
+use super::look_alike::LookAlikeOnMap;
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
 use super::roads::DrawnRoads;
@@ -47,7 +47,7 @@ pub struct MapExtra<'a> {
     /// Generation of the ghost.
     pub ghost_generation: u64,
     /// The strongest look-alike of the selected landmark.
-    pub look_alike: Option<LookAlike>,
+    pub look_alike: Option<LookAlikeOnMap>,
     /// The world frame, if it has a place on the globe.
     pub frame: Option<LocalFrame>,
     /// The height of the ground.

@@ -2,7 +2,7 @@
 
 use egui::{Label, Rect, RichText, ScrollArea, Ui};
 
-use super::line::Stage;
+use super::line::LineStage;
 use super::{Measure, MeasureCommand};
 use crate::context::ViewContext;
 use crate::map::MapCard;
@@ -49,7 +49,7 @@ impl Measure {
         } else {
             "Courses from the map's north: it has no place on the globe."
         }));
-        if self.line.stage == Stage::Drawing {
+        if self.line.stage == LineStage::Drawing {
             ui.add(muted(tokens.advice(
                 "Enter or a double click ends the line, a click on its first point closes it.",
                 "A double tap ends the line, a tap on its first point closes it.",

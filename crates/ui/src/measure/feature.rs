@@ -4,7 +4,7 @@ use egui::{Key, Rect, Ui};
 use pilotage_core::frames::LocalFrame;
 use serde_json::Value;
 
-use super::line::{Line, Stage};
+use super::line::{Line, LineStage};
 use super::{ID, Measure, MeasureCommand};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -122,8 +122,8 @@ impl Feature for Measure {
         let points = self.line.points.iter();
         object!({
             "points": points.map(|p| [p.north, p.east]).collect::<Vec<_>>(),
-            "drawing": self.line.stage == Stage::Drawing,
-            "closed": self.line.stage == Stage::Closed,
+            "drawing": self.line.stage == LineStage::Drawing,
+            "closed": self.line.stage == LineStage::Closed,
             "legs": legs,
             "length": measures.length,
             "area": measures.area,

@@ -8,7 +8,7 @@ use crate::units::Units;
 
 /// State of the line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Stage {
+pub(super) enum LineStage {
     /// Clicks add points.
     #[default]
     Drawing,
@@ -23,12 +23,12 @@ pub(super) enum Stage {
 pub(super) struct Line {
     /// Its points, in the world of the map.
     pub(super) points: Vec<GroundPoint>,
-    pub(super) stage: Stage,
+    pub(super) stage: LineStage,
 }
 
 /// Leg of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Leg {
+pub(super) struct MeasuredLeg {
     /// Length over the ground, metres.
     pub(super) length: f64,
     /// Course at its first point, radians clockwise from true north, from the map's north where that is unknown.
@@ -38,14 +38,14 @@ pub(super) struct Leg {
 /// Measures of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Measures {
-    pub(super) legs: Vec<Leg>,
+    pub(super) legs: Vec<MeasuredLeg>,
     /// Length of all legs, metres.
     pub(super) length: f64,
     /// Area that a closed line goes round, square metres.
     pub(super) area: Option<f64>,
 }
 
-impl Leg {
+impl MeasuredLeg {
     /// Leg between two points of a world with that frame, or of one that has no place on the globe.
     pub(super) fn between(
         frame: Option<&LocalFrame>,
@@ -74,7 +74,7 @@ impl Line {
     /// Does what a click asks for, at a place or on one of its own points.
     pub(super) fn click(&mut self, place: GroundPoint, own: Option<usize>) {
         let count = self.points.len();
-        let is_drawing = self.stage == Stage::Drawing;
+        let is_drawing = self.stage == LineStage::Drawing;
         match own {
             Some(0) if count > 2 => self.close(),
             // So the second click of two that are one ends the line.
@@ -84,7 +84,7 @@ impl Line {
             None => {
                 *self = Self {
                     points: vec![place],
-                    stage: Stage::Drawing,
+                    stage: LineStage::Drawing,
                 }
             }
         }
@@ -92,30 +92,30 @@ impl Line {
 
     /// Ends the line at its last point, if it has a leg.
     pub(super) fn end(&mut self) {
-        if self.stage == Stage::Drawing && self.points.len() > 1 {
-            self.stage = Stage::Ended;
+        if self.stage == LineStage::Drawing && self.points.len() > 1 {
+            self.stage = LineStage::Ended;
         }
     }
 
     /// Whether it can be closed.
     pub(super) fn can_close(&self) -> bool {
-        self.points.len() > 2 && self.stage != Stage::Closed
+        self.points.len() > 2 && self.stage != LineStage::Closed
     }
 
     /// Leads it back to its first point, if there is an area in between.
     pub(super) fn close(&mut self) {
         if self.can_close() {
-            self.stage = Stage::Closed;
+            self.stage = LineStage::Closed;
         }
     }
 
     /// Takes its last point back, of a closed one its last leg; whether there was one.
     pub(super) fn take_back(&mut self) -> bool {
         let had_points = !self.points.is_empty();
-        if self.stage != Stage::Closed {
+        if self.stage != LineStage::Closed {
             self.points.pop();
         }
-        self.stage = Stage::Drawing;
+        self.stage = LineStage::Drawing;
         had_points
     }
 
@@ -123,7 +123,7 @@ impl Line {
     pub(super) fn ends(&self) -> impl Iterator<Item = [GroundPoint; 2]> {
         let pairs = self.points.windows(2).map(|pair| [pair[0], pair[1]]);
         let closed = self.points.last().zip(self.points.first());
-        let closed = closed.filter(|_| self.stage == Stage::Closed);
+        let closed = closed.filter(|_| self.stage == LineStage::Closed);
         pairs.chain(closed.map(|(last, first)| [*last, *first]))
     }
 
@@ -131,8 +131,8 @@ impl Line {
     pub(super) fn measures(&self, frame: Option<&LocalFrame>) -> Measures {
         let legs = self
             .ends()
-            .map(|[from, to]| Leg::between(frame, &from, &to));
-        let legs: Vec<Leg> = legs.collect();
+            .map(|[from, to]| MeasuredLeg::between(frame, &from, &to));
+        let legs: Vec<MeasuredLeg> = legs.collect();
         let area = || match frame {
             Some(frame) => frame.area(&self.points),
             None => {
@@ -146,7 +146,7 @@ impl Line {
         Measures {
             // The sum of none is -0.
             length: legs.iter().map(|leg| leg.length).sum::<f64>() + 0.0,
-            area: (self.stage == Stage::Closed).then(area),
+            area: (self.stage == LineStage::Closed).then(area),
             legs,
         }
     }
@@ -187,13 +187,13 @@ mod tests {
     fn a_second_click_at_the_last_point_ends_the_line_and_adds_none() {
         let mut line = drawn();
         line.click(line.points[2], Some(2));
-        assert_eq!((line.points.len(), line.stage), (3, Stage::Ended));
+        assert_eq!((line.points.len(), line.stage), (3, LineStage::Ended));
         let mut first = Line::default();
         first.click(GroundPoint::default(), None);
         first.click(GroundPoint::default(), Some(0));
-        assert_eq!((first.points.len(), first.stage), (1, Stage::Drawing));
+        assert_eq!((first.points.len(), first.stage), (1, LineStage::Drawing));
         line.click(GroundPoint::new(5.0, 5.0), None);
-        assert_eq!((line.points.len(), line.stage), (1, Stage::Drawing));
+        assert_eq!((line.points.len(), line.stage), (1, LineStage::Drawing));
     }
 
     #[test]
@@ -211,7 +211,7 @@ mod tests {
             [closing, "Perimeter: 120.0 m".into(), "Area: 600 m²".into()]
         );
         line.take_back();
-        assert_eq!((line.points.len(), line.stage), (3, Stage::Drawing));
+        assert_eq!((line.points.len(), line.stage), (3, LineStage::Drawing));
         line.take_back();
         assert_eq!(line.points.len(), 2);
     }
@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn what_rounds_to_a_whole_turn_is_north() {
         let to = GroundPoint::new(1000.0, -1.0);
-        let leg = Leg::between(None, &GroundPoint::default(), &to);
+        let leg = MeasuredLeg::between(None, &GroundPoint::default(), &to);
         assert_eq!(leg.words(Units::Aviation), "3281 ft, 000°");
     }
 }

@@ -3,7 +3,7 @@
 use egui::{Align2, CursorIcon, Key, Pos2, Rect, Response, Shape, Stroke, Ui, vec2};
 use pilotage_core::frames::GroundPoint;
 
-use super::line::{Leg, Stage};
+use super::line::{LineStage, MeasuredLeg};
 use super::{Measure, MeasureCommand};
 use crate::context::ViewContext;
 use crate::map::{
@@ -58,7 +58,7 @@ impl Measure {
         let ends = [from, to].map(|point| canvas.view.apply(&point));
         paint_lifted_line(canvas.painter, ends, 2.0, tokens.accent, tokens);
         if ends[0].distance(ends[1]) >= LABELLED {
-            let words = Leg::between(self.frame.as_ref(), &from, &to).words(self.units);
+            let words = MeasuredLeg::between(self.frame.as_ref(), &from, &to).words(self.units);
             let middle = ends[0].lerp(ends[1], 0.5);
             let (font, ink) = (tokens.small(), tokens.sigma);
             paint_halo_text(
@@ -128,7 +128,7 @@ impl MapTool for Measure {
         let line = &self.line;
         let places: Vec<Pos2> = line.points.iter().map(|point| view.apply(point)).collect();
         line.ends().for_each(|ends| self.paint_leg(canvas, ends));
-        if line.stage == Stage::Drawing
+        if line.stage == LineStage::Drawing
             && let (Some(last), Some(pointer)) = (line.points.last(), canvas.pointer)
             && self.hit(view, pointer).is_none()
         {
@@ -146,7 +146,7 @@ impl MapTool for Measure {
         if let Some(last) = places.last().filter(|_| measures.legs.len() > 1) {
             // The last rows are the sum and the area.
             let rows = measures.rows(self.units).split_off(measures.legs.len());
-            let (at, align) = if line.stage == Stage::Closed {
+            let (at, align) = if line.stage == LineStage::Closed {
                 (Rect::from_points(&places).center(), Align2::CENTER_CENTER)
             } else {
                 (*last + vec2(10.0, 8.0), Align2::LEFT_TOP)

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::dryden::{DrydenGust, Turbulence};
 use super::flight_airframe::{AircraftState, Airframe, AirframeCommand};
 use super::guidance::{GuidanceSettings, PathFollower};
-use super::sensors::{self, SensorSpec, Stream};
+use super::sensors::{self, SensorSpec, SensorStream};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_flight::{Channel, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
 use pilotage_raster::camera::CameraModel;
@@ -174,7 +174,7 @@ impl FlightPlan {
     /// drawn anew.
     #[must_use]
     pub fn in_wind_of(&self, seed: u64, deviation: f64) -> Self {
-        let mut random = Stream::Wind.random(seed);
+        let mut random = SensorStream::Wind.random(seed);
         let mut drawn = (0..WINDS_DRAWN).map(|_| {
             let unit: Vector2<f64> = Vector2::from_fn(|_, _| StandardNormal.sample(&mut random));
             self.wind + deviation * unit
@@ -216,7 +216,7 @@ impl FlightPlan {
         let mut path = PathFollower::new(&self.way_points, guidance)?;
         let turbulence = Turbulence::low_altitude(self.height, self.wind.norm());
         let mut gusts = seed.map(|seed| {
-            let mut random = Stream::Gust.random(seed);
+            let mut random = SensorStream::Gust.random(seed);
             let gust = DrydenGust::new(&turbulence, self.airframe.cruise, dt, &mut random);
             (gust, random)
         });

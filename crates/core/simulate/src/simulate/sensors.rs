@@ -68,7 +68,7 @@ impl Default for SensorSpec {
 
 /// Independent streams of random numbers under one seed; the numbers are part of what a seed means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stream {
+pub(super) enum SensorStream {
     Gust,
     Start,
     Airspeed,
@@ -83,7 +83,7 @@ pub(super) enum Stream {
     Vibration(usize),
 }
 
-impl Stream {
+impl SensorStream {
     fn number(self) -> u64 {
         match self {
             Self::Gust => 1,
@@ -112,7 +112,7 @@ impl Stream {
 pub(super) fn channel(
     name: ChannelName,
     error: SensorError,
-    stream: Stream,
+    stream: SensorStream,
     seed: u64,
     truth: &[(f64, f64)],
 ) -> Channel {
@@ -165,16 +165,26 @@ pub(super) fn measure(
         (
             ChannelName::Airspeed,
             spec.airspeed,
-            Stream::Airspeed,
+            SensorStream::Airspeed,
             airspeed,
         ),
-        (ChannelName::Heading, spec.heading, Stream::Heading, heading),
-        (ChannelName::Roll, spec.attitude, Stream::Roll, roll),
-        (ChannelName::Pitch, spec.attitude, Stream::Pitch, pitch),
+        (
+            ChannelName::Heading,
+            spec.heading,
+            SensorStream::Heading,
+            heading,
+        ),
+        (ChannelName::Roll, spec.attitude, SensorStream::Roll, roll),
+        (
+            ChannelName::Pitch,
+            spec.attitude,
+            SensorStream::Pitch,
+            pitch,
+        ),
         (
             ChannelName::HeightAboveGround,
             spec.height,
-            Stream::Height,
+            SensorStream::Height,
             height,
         ),
     ]
@@ -191,7 +201,7 @@ pub(super) fn camera_attitude(
     frame: usize,
     body: &Attitude,
 ) -> Attitude {
-    let mut random = Stream::Vibration(frame).random(seed);
+    let mut random = SensorStream::Vibration(frame).random(seed);
     let mut shake = || -> f64 {
         let normal: f64 = StandardNormal.sample(&mut random);
         spec.mount_vibration * normal
@@ -205,7 +215,7 @@ pub(super) fn camera_attitude(
 
 /// The first position as the filter is told it.
 pub(super) fn start_fix(spec: &SensorSpec, seed: u64, truth: GroundPoint) -> GroundPoint {
-    let mut random = Stream::Start.random(seed);
+    let mut random = SensorStream::Start.random(seed);
     let mut error = || -> f64 {
         let normal: f64 = StandardNormal.sample(&mut random);
         spec.start_position * normal

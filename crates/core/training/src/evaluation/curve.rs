@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::draws::Draws;
+use super::draws::DayDraws;
 use super::events::{Counts, MarkEvents, Totals};
 use super::{EvaluatedLook, IntervalEstimate};
 
@@ -122,7 +122,7 @@ fn average_precision_of(events: &MarkEvents, weights: &[f64]) -> f64 {
 /// draws.
 pub(super) fn curves(
     events: &MarkEvents,
-    draws: &mut Draws,
+    draws: &mut DayDraws,
     replicates: usize,
 ) -> ([Curve; 3], IntervalEstimate) {
     let steps = CurveKind::ALL.map(|kind| thinned(kind, &trace_of(events, kind)));
@@ -256,7 +256,7 @@ mod tests {
         let width = |days: usize| {
             let looks = SyntheticDetector::USUAL.looks(days, 40, 5);
             let events = MarkEvents::of(&looks);
-            let mut draws = Draws::new(&looks, 1);
+            let mut draws = DayDraws::new(&looks, 1);
             let (curves, precision) = curves(&events, &mut draws, 200);
             for curve in &curves {
                 let points = &curve.points;

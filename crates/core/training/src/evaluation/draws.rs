@@ -16,14 +16,14 @@ const ENOUGH_DAYS: usize = 5;
 /// (k - 1)/k of it. From under five days little can be said of other days: then as many days as there
 /// are, and within each its looks anew, so that the intervals are at least those of the looks.
 #[derive(Clone, Debug)]
-pub(super) struct Draws {
+pub(super) struct DayDraws {
     /// Indices of the looks of each day.
     days: Vec<Vec<usize>>,
     looks: usize,
     random: ChaCha8Rng,
 }
 
-impl Draws {
+impl DayDraws {
     pub fn new(looks: &[EvaluatedLook], seed: u64) -> Self {
         Self {
             days: by_day(looks).into_iter().map(|(_, looks)| looks).collect(),
@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn with_many_days_the_looks_of_a_day_come_together() {
         let looks: Vec<_> = (0..60).map(|i| look(i / 10, &[mark(0.5, true)])).collect();
-        let mut draws = Draws::new(&looks, 3);
+        let mut draws = DayDraws::new(&looks, 3);
         for _ in 0..20 {
             let weights = draws.next_weights();
             assert_eq!(weights.iter().sum::<f64>(), 50.0);
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn with_one_day_its_looks_are_drawn_one_by_one() {
         let looks: Vec<_> = (0..40).map(|_| look(7, &[])).collect();
-        let weights = Draws::new(&looks, 3).next_weights();
+        let weights = DayDraws::new(&looks, 3).next_weights();
         assert_eq!(weights.iter().sum::<f64>(), 40.0);
         assert!(weights.iter().any(|w| *w > 1.0));
     }
@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn draws_that_are_all_alike_still_leave_an_interval() {
         let looks: Vec<_> = (0..60).map(|i| look(i / 10, &[])).collect();
-        let draws = Draws::new(&looks, 3);
+        let draws = DayDraws::new(&looks, 3);
         let interval = draws.interval(&mut [1.0; 50], 1.0, 60.0);
         assert_eq!(interval, wilson(60.0, 60.0));
     }

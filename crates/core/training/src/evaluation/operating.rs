@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::draws::{Draws, by_day};
+use super::draws::{DayDraws, by_day};
 use super::events::{Counts, MarkEvents};
 use super::rate::correlation_within;
 use super::{EvaluatedLook, IntervalEstimate, Rate};
@@ -42,7 +42,7 @@ impl OperatingPoint {
         looks: &[EvaluatedLook],
         events: &MarkEvents,
         allowed: f64,
-        draws: &mut Draws,
+        draws: &mut DayDraws,
         replicates: usize,
     ) -> Self {
         let weights = events.equal_weights();
@@ -197,7 +197,7 @@ mod tests {
 
     fn point(looks: &[EvaluatedLook], allowed: f64) -> OperatingPoint {
         let events = MarkEvents::of(looks);
-        OperatingPoint::of(looks, &events, allowed, &mut Draws::new(looks, 2), 200)
+        OperatingPoint::of(looks, &events, allowed, &mut DayDraws::new(looks, 2), 200)
     }
 
     #[test]

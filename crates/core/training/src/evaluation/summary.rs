@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::curve::curves;
-use super::draws::{Draws, by_day};
+use super::draws::{DayDraws, by_day};
 use super::events::MarkEvents;
 use super::{
     By, Curve, CurveKind, DetectionBreakdown, EvaluatedLook, EvaluationError, IntervalEstimate,
@@ -76,7 +76,7 @@ impl Evaluation {
     ) -> Result<Self, EvaluationError> {
         check(looks)?;
         let events = MarkEvents::of(looks);
-        let mut draws = Draws::new(looks, settings.seed);
+        let mut draws = DayDraws::new(looks, settings.seed);
         let ([roc, froc, precision_recall], average_precision) =
             curves(&events, &mut draws, settings.replicates);
         let operating = OperatingPoint::of(

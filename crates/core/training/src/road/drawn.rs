@@ -8,7 +8,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::example::{RoadExample, RoadTruth};
-use super::painter::{Paint, Painter, Slab, mixed, noise, scaled};
+use super::painter::{Paint, PaintedSlab, Painter, mixed, noise, scaled};
 
 /// Pixels between the points of a road's course.
 const STEP: f32 = 6.0;
@@ -305,7 +305,7 @@ fn car_park(painter: &mut Painter, draw: &mut Draw) {
         return;
     }
     let heading = draw.between(0.0, std::f32::consts::TAU);
-    let slab = Slab {
+    let slab = PaintedSlab {
         middle: draw.place(),
         along: [heading.cos(), heading.sin()],
         half: [draw.between(20.0, 60.0), draw.between(14.0, 40.0)],
@@ -328,7 +328,7 @@ fn car_park(painter: &mut Painter, draw: &mut Draw) {
 /// A long building with a flat roof, where no road is.
 fn hall(painter: &mut Painter, draw: &mut Draw, roads: &[Course], shadow: [f32; 2]) {
     let heading = draw.between(0.0, std::f32::consts::TAU);
-    let slab = Slab {
+    let slab = PaintedSlab {
         middle: draw.place(),
         along: [heading.cos(), heading.sin()],
         half: [draw.between(14.0, 90.0), draw.between(6.0, 40.0)],
@@ -354,7 +354,7 @@ fn hall(painter: &mut Painter, draw: &mut Draw, roads: &[Course], shadow: [f32; 
         let (u, v) = (draw.between(-0.9, 0.9), draw.between(-0.9, 0.9));
         let [ax, ay] = slab.along;
         let (u, v) = (u * slab.half[0], v * slab.half[1]);
-        let part = Slab {
+        let part = PaintedSlab {
             middle: [
                 slab.middle[0] + u * ax - v * ay,
                 slab.middle[1] + u * ay + v * ax,
@@ -368,7 +368,7 @@ fn hall(painter: &mut Painter, draw: &mut Draw, roads: &[Course], shadow: [f32; 
 }
 
 /// A car at a place of a slab, across or along it.
-fn car(painter: &mut Painter, draw: &mut Draw, on: &Slab, [u, v]: [f32; 2], across: bool) {
+fn car(painter: &mut Painter, draw: &mut Draw, on: &PaintedSlab, [u, v]: [f32; 2], across: bool) {
     let [ax, ay] = on.along;
     let paint = draw.near(
         &[
@@ -380,7 +380,7 @@ fn car(painter: &mut Painter, draw: &mut Draw, on: &Slab, [u, v]: [f32; 2], acro
         ],
         20.0,
     );
-    let body = Slab {
+    let body = PaintedSlab {
         middle: [
             on.middle[0] + u * ax - v * ay,
             on.middle[1] + u * ay + v * ax,
@@ -426,7 +426,7 @@ fn houses(painter: &mut Painter, draw: &mut Draw, roads: &[Course], shadow: [f32
                         draw.near(&[SEALED[2], SEALED[3], DIRT[0], DIRT[1], GROUND[5]], 20.0);
                     let reach = 0.5 * (away.abs() - half[1]);
                     let beside = draw.between(-6.0, 6.0);
-                    let slab = Slab {
+                    let slab = PaintedSlab {
                         middle: [
                             ax - way * reach * along[1] + beside * along[0],
                             ay + way * reach * along[0] + beside * along[1],
@@ -436,7 +436,7 @@ fn houses(painter: &mut Painter, draw: &mut Draw, roads: &[Course], shadow: [f32
                     };
                     painter.slab(&slab, drive, 0.05, None);
                 }
-                let house = Slab {
+                let house = PaintedSlab {
                     middle,
                     along,
                     half,
@@ -449,7 +449,7 @@ fn houses(painter: &mut Painter, draw: &mut Draw, roads: &[Course], shadow: [f32
                 }
                 let roof = draw.near(&ROOFS, 18.0);
                 painter.slab(&house, roof, 0.05, None);
-                let half_roof = Slab {
+                let half_roof = PaintedSlab {
                     middle: [
                         middle[0] - 0.5 * half[1] * along[1],
                         middle[1] + 0.5 * half[1] * along[0],
@@ -555,7 +555,7 @@ fn lay(painter: &mut Painter, draw: &mut Draw, roads: &[Course]) {
     for road in roads.iter().filter(|r| !r.is_dirt) {
         for (i, pair) in road.points.windows(2).enumerate() {
             let [[ax, ay], [bx, by]] = [pair[0], pair[1]];
-            let slab = Slab {
+            let slab = PaintedSlab {
                 middle: [0.5 * (ax + bx), 0.5 * (ay + by)],
                 along: [(bx - ax) / STEP, (by - ay) / STEP],
                 half: [0.5 * STEP, 0.3],

@@ -16,13 +16,13 @@ pub(super) struct Painter {
 
 /// A rectangle: middle, unit vector along it, half its sides along and across, pixels.
 #[derive(Clone, Copy)]
-pub(super) struct Slab {
+pub(super) struct PaintedSlab {
     pub(super) middle: [f32; 2],
     pub(super) along: [f32; 2],
     pub(super) half: [f32; 2],
 }
 
-impl Slab {
+impl PaintedSlab {
     /// Coordinates along and across it.
     fn local(&self, [x, y]: [f32; 2]) -> [f32; 2] {
         let (dx, dy) = (x - self.middle[0], y - self.middle[1]);
@@ -111,7 +111,13 @@ impl Painter {
     }
 
     /// A rectangle in one colour with some noise.
-    pub(super) fn slab(&mut self, slab: &Slab, paint: Paint, rough: f32, truth: Option<RoadTruth>) {
+    pub(super) fn slab(
+        &mut self,
+        slab: &PaintedSlab,
+        paint: Paint,
+        rough: f32,
+        truth: Option<RoadTruth>,
+    ) {
         let seed = self.seed;
         let reach = slab.half[0].hypot(slab.half[1]) + 1.0;
         let depth = |p: [f32; 2]| {
@@ -128,7 +134,7 @@ impl Painter {
     }
 
     /// Darkens a rectangle.
-    pub(super) fn shade_slab(&mut self, slab: &Slab, by: f32) {
+    pub(super) fn shade_slab(&mut self, slab: &PaintedSlab, by: f32) {
         let reach = slab.half[0].hypot(slab.half[1]) + 1.0;
         let depth = |p: [f32; 2]| {
             let [u, v] = slab.local(p);

@@ -22,7 +22,7 @@ const FIRMLY: f64 = 1e-6;
 const LEAST_DEVIATION: f64 = 0.1;
 
 /// A vector of the unknowns.
-pub(super) type Vector = SVector<f64, UNKNOWNS>;
+pub(super) type PoseVector = SVector<f64, UNKNOWNS>;
 /// Their covariance or information.
 type PoseMatrix = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
 /// Jacobian of a pixel by the unknowns.
@@ -58,7 +58,7 @@ fn tukey(r: f64, limit: f64) -> f64 {
     if u < 1.0 { (1.0 - u * u).powi(2) } else { 0.0 }
 }
 
-pub(super) fn moved(at: &MapPose, step: &Vector) -> MapPose {
+pub(super) fn moved(at: &MapPose, step: &PoseVector) -> MapPose {
     let mut at = *at;
     at.pose.position_in_world += step.fixed_rows::<3>(0);
     at.pose.attitude.roll += step[3];
@@ -70,11 +70,13 @@ pub(super) fn moved(at: &MapPose, step: &Vector) -> MapPose {
 }
 
 /// Central differences of a function of a step of the unknowns.
-pub(super) fn differences(function: impl Fn(&Vector) -> Option<Vector2<f64>>) -> Option<Jacobian> {
+pub(super) fn differences(
+    function: impl Fn(&PoseVector) -> Option<Vector2<f64>>,
+) -> Option<Jacobian> {
     let mut jacobian = Jacobian::zeros();
     for (axis, step) in STEPS.into_iter().enumerate() {
         let at = |by: f64| {
-            let mut shift = Vector::zeros();
+            let mut shift = PoseVector::zeros();
             shift[axis] = by;
             function(&shift)
         };
@@ -120,7 +122,7 @@ struct FitRound {
     /// `Σ w JᵀJ`.
     information: PoseMatrix,
     /// Of each match that counts: pixel and w Jᵀr.
-    slopes: Vec<(Point2<f64>, Vector)>,
+    slopes: Vec<(Point2<f64>, PoseVector)>,
     weights: f64,
     squares: f64,
 }
@@ -195,7 +197,7 @@ pub(super) fn fit(
         let round = FitRound::new(look, &at, matches, limit)?;
         let variance = round.variance();
         let mut information = round.information / variance;
-        let mut slope: Vector = round.slopes.iter().map(|(_, s)| s / variance).sum();
+        let mut slope: PoseVector = round.slopes.iter().map(|(_, s)| s / variance).sum();
         for (axis, off, weight) in held(look, prior, &at) {
             information[(axis, axis)] += weight;
             slope[axis] += weight * off;

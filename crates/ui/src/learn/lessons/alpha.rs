@@ -7,7 +7,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
 
 use super::super::ellipse_outline::closed_ellipse;
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use super::super::unscented;
@@ -15,17 +15,17 @@ use crate::units::Units;
 use crate::views::parts;
 
 /// Lesson on α, with what its slider says.
-pub(super) struct Alpha {
+pub(super) struct AlphaStop {
     alpha: f64,
 }
 
-impl Default for Alpha {
+impl Default for AlphaStop {
     fn default() -> Self {
         Self { alpha: 0.3 }
     }
 }
 
-impl Lesson for Alpha {
+impl TourStop for AlphaStop {
     fn title(&self) -> &'static str {
         "What α does"
     }

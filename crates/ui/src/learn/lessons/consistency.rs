@@ -7,7 +7,7 @@ use pilotage_core::navigator::{NavigatorSettings, Outcome, Run};
 
 use super::super::candidates::{judged, no_landmark};
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::shell::counted;
@@ -19,9 +19,9 @@ const BINS: usize = 24;
 
 /// The NIS of the whole run beside what an honest filter would have.
 #[derive(Default)]
-pub(super) struct Consistency;
+pub(super) struct ConsistencyStop;
 
-impl Lesson for Consistency {
+impl TourStop for ConsistencyStop {
     fn title(&self) -> &'static str {
         "Does the filter know how wrong it is?"
     }
@@ -183,7 +183,7 @@ mod tests {
             frame.candidates.truncate(1);
             frame.candidates[0].nis = Some(nis);
         }
-        let moment = Consistency.find(&run, None, Units::Metric);
+        let moment = ConsistencyStop.find(&run, None, Units::Metric);
         moment.unwrap().text
     }
 

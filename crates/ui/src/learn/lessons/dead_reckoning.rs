@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run, UpdateReport, VehicleChoi
 
 use super::super::figure::Figure;
 use super::super::gap::{Gap, estimates_wind, longest_gap, no_gap};
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::units::Units;
@@ -15,9 +15,9 @@ use crate::views::parts::figures;
 
 /// The longest stretch in which nothing tells the place.
 #[derive(Default)]
-pub(super) struct DeadReckoning;
+pub(super) struct DeadReckoningStop;
 
-impl Lesson for DeadReckoning {
+impl TourStop for DeadReckoningStop {
     fn title(&self) -> &'static str {
         "Nothing in view: dead reckoning"
     }

@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
 use super::super::found;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::units::Units;
@@ -15,9 +15,9 @@ use crate::views::picking;
 
 /// The first landmark that is found.
 #[derive(Default)]
-pub(super) struct FirstLandmark;
+pub(super) struct FirstLandmarkStop;
 
-impl Lesson for FirstLandmark {
+impl TourStop for FirstLandmarkStop {
     fn title(&self) -> &'static str {
         "A landmark is found"
     }
@@ -60,7 +60,7 @@ mod tests {
     #[test]
     fn the_first_landmark_is_at_the_first_correction() {
         let fixture = Fixture::new();
-        let moment = FirstLandmark
+        let moment = FirstLandmarkStop
             .find(&fixture.run, Some(&fixture.flight), Units::Metric)
             .unwrap();
         assert!(fixture.run.steps[moment.index].corrected());

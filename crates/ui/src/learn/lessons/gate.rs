@@ -7,7 +7,7 @@ use pilotage_core::navigator::{CandidateReport, NavigatorSettings, Outcome, Run}
 
 use super::super::candidates::{judged, no_landmark};
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::units::Units;
@@ -16,9 +16,9 @@ use crate::views::picking;
 
 /// The gate, by the accepted match that came closest to it.
 #[derive(Default)]
-pub(super) struct Gate;
+pub(super) struct GateStop;
 
-impl Lesson for Gate {
+impl TourStop for GateStop {
     fn title(&self) -> &'static str {
         "The gate: how far off is too far"
     }

@@ -7,7 +7,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use super::super::candidates::judged;
 use super::super::figure::Figure;
 use super::super::gap::{Gap, estimates_wind, longest_gap, no_gap};
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::sigma_points::{reach, sigma_set};
 use super::super::trial::TourTrial;
@@ -18,9 +18,9 @@ use crate::views::parts::figures;
 
 /// The end of the longest stretch of dead reckoning.
 #[derive(Default)]
-pub(super) struct Growing;
+pub(super) struct GrowingStop;
 
-impl Lesson for Growing {
+impl TourStop for GrowingStop {
     fn title(&self) -> &'static str {
         "The sigma points spread"
     }

@@ -1,7 +1,7 @@
 //! All stops of the tour, in its order: another one is a file of this folder, and a line in the list below with the
 //! lesson of the page of lessons that tells more.
 
-use super::lesson::Lesson;
+use super::lesson::TourStop;
 
 /// Declares the files of the stops, and makes their list.
 macro_rules! lessons {
@@ -9,7 +9,7 @@ macro_rules! lessons {
         $(mod $file;)*
 
         /// Every stop, as it is when the tour begins.
-        pub(super) fn all() -> Vec<Box<dyn Lesson>> {
+        pub(super) fn all() -> Vec<Box<dyn TourStop>> {
             vec![$(Box::<$file::$lesson>::default()),*]
         }
 
@@ -25,17 +25,17 @@ pub(super) fn linked(name: &str) -> Option<usize> {
 }
 
 lessons! {
-    first_landmark::FirstLandmark: "look-corrects-wind",
-    shrinking::Shrinking: "landmark-corrects",
-    gate::Gate: "gate-and-nis",
-    refused::Refused: "twin-landmark",
-    wind::Wind: "wind-on-turns",
-    dead_reckoning::DeadReckoning: "dead-reckoning-drifts",
-    growing::Growing: "cloud-grows",
-    reacquired::Reacquired: "how-often-to-look",
-    alpha::Alpha: "alpha-beta-kappa",
-    consistency::Consistency: "nees-honest",
-    your_turn::YourTurn: "tuning-noise",
+    first_landmark::FirstLandmarkStop: "look-corrects-wind",
+    shrinking::ShrinkingStop: "landmark-corrects",
+    gate::GateStop: "gate-and-nis",
+    refused::RefusedStop: "twin-landmark",
+    wind::WindStop: "wind-on-turns",
+    dead_reckoning::DeadReckoningStop: "dead-reckoning-drifts",
+    growing::GrowingStop: "cloud-grows",
+    reacquired::ReacquiredStop: "how-often-to-look",
+    alpha::AlphaStop: "alpha-beta-kappa",
+    consistency::ConsistencyStop: "nees-honest",
+    your_turn::YourTurnStop: "tuning-noise",
 }
 
 #[cfg(test)]
@@ -120,7 +120,7 @@ mod tests {
     fn a_stretch_with_readings_that_do_not_tell_the_place_does_not_go_by_the_wind_alone() {
         let mut fixture = Fixture::new();
         let told = |fixture: &Fixture| {
-            let lesson = dead_reckoning::DeadReckoning;
+            let lesson = dead_reckoning::DeadReckoningStop;
             let moment = lesson.find(&fixture.run, None, Units::Metric);
             moment.unwrap().text
         };

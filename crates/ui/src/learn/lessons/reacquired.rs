@@ -7,7 +7,7 @@ use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
 use super::super::found;
 use super::super::gap::{Gap, estimates_wind, longest_gap, no_gap};
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::units::Units;
@@ -17,9 +17,9 @@ use crate::views::picking;
 
 /// The landmark after the longest stretch of dead reckoning.
 #[derive(Default)]
-pub(super) struct Reacquired;
+pub(super) struct ReacquiredStop;
 
-impl Lesson for Reacquired {
+impl TourStop for ReacquiredStop {
     fn title(&self) -> &'static str {
         "Found again"
     }
@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn after_the_gap_a_landmark_is_found_again() {
         let fixture = Fixture::new();
-        let moment = Reacquired
+        let moment = ReacquiredStop
             .find(&fixture.run, Some(&fixture.flight), Units::Metric)
             .unwrap();
         assert!(fixture.run.steps[moment.index].corrected());

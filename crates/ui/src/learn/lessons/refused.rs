@@ -6,7 +6,7 @@ use pilotage_core::navigator::{CandidateReport, NavigatorSettings, Outcome, Refu
 
 use super::super::candidates::no_landmark;
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::command::Command;
@@ -17,9 +17,9 @@ use crate::views::{MATCH, picking};
 
 /// The most telling refusal.
 #[derive(Default)]
-pub(super) struct Refused;
+pub(super) struct RefusedStop;
 
-impl Lesson for Refused {
+impl TourStop for RefusedStop {
     fn title(&self) -> &'static str {
         "A match is refused"
     }
@@ -167,7 +167,7 @@ mod tests {
                 frame.candidates.retain(|c| c.outcome == Outcome::Accepted);
             }
         }
-        let moment = Refused
+        let moment = RefusedStop
             .find(&fixture.run, Some(&fixture.flight), Units::Metric)
             .unwrap();
         assert!(

@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
 
 use super::super::candidates::{best_accepted, no_landmark};
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::sigma_points::{reach, sigma_set};
 use super::super::trial::TourTrial;
@@ -17,9 +17,9 @@ use crate::views::parts::figures;
 
 /// The correction that draws the sigma points together most.
 #[derive(Default)]
-pub(super) struct Shrinking;
+pub(super) struct ShrinkingStop;
 
-impl Lesson for Shrinking {
+impl TourStop for ShrinkingStop {
     fn title(&self) -> &'static str {
         "The sigma points draw together"
     }

@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
 use pilotage_core::vehicle::StateComponent;
 
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::units::Units;
@@ -21,9 +21,9 @@ const LASTING: usize = 100;
 
 /// The time at which the wind is learned.
 #[derive(Default)]
-pub(super) struct Wind;
+pub(super) struct WindStop;
 
-impl Lesson for Wind {
+impl TourStop for WindStop {
     fn title(&self) -> &'static str {
         "The wind is learned"
     }
@@ -157,7 +157,7 @@ mod tests {
     #[test]
     fn the_wind_is_learned_when_little_of_its_error_is_left() {
         let fixture = Fixture::new();
-        let moment = Wind
+        let moment = WindStop
             .find(&fixture.run, Some(&fixture.flight), Units::Metric)
             .unwrap();
         let error = |i: usize| {

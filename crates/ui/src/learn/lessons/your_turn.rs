@@ -6,7 +6,7 @@ use pilotage_core::navigator::{NavigatorSettings, Outcome, Run};
 use pilotage_core::sorting::sort;
 
 use super::super::figure::Figure;
-use super::super::lesson::Lesson;
+use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
 use crate::command::Command;
@@ -15,9 +15,9 @@ use crate::views::{parts, picking};
 
 /// The end of the run, and what to do next.
 #[derive(Default)]
-pub(super) struct YourTurn;
+pub(super) struct YourTurnStop;
 
-impl Lesson for YourTurn {
+impl TourStop for YourTurnStop {
     fn title(&self) -> &'static str {
         "Your turn"
     }

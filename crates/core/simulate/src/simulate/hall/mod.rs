@@ -18,7 +18,7 @@ use super::flight::{Recording, STEPS_PER_RECORD, STEPS_PER_SECOND};
 use super::flight_day::FlightDay;
 use super::flight_frames::{SimulatedFlight, SimulatedFrames};
 use super::scenario::world_origin;
-use super::sensors::{self, SensorError, SensorSpec, Stream};
+use super::sensors::{self, SensorError, SensorSpec, SensorStream};
 use pilotage_base::frames::LocalFrame;
 use pilotage_base::frames::units::{GRAVITY, feet};
 use pilotage_flight::{Channel, ChannelName, TruthState};
@@ -149,8 +149,8 @@ impl IndoorHall {
         velocities: &[Vector2<f64>],
     ) -> [Channel; 2] {
         let axes = [
-            (ChannelName::VelocityNorth, Stream::VelocityNorth),
-            (ChannelName::VelocityEast, Stream::VelocityEast),
+            (ChannelName::VelocityNorth, SensorStream::VelocityNorth),
+            (ChannelName::VelocityEast, SensorStream::VelocityEast),
         ];
         let mut axis = 0;
         axes.map(|(name, stream)| {
@@ -236,7 +236,7 @@ impl IndoorHall {
     /// True states and velocities over ground at 20 Hz.
     fn fly(&self, seed: u64) -> (Vec<TruthState>, Vec<Vector2<f64>>) {
         let dt = 1.0 / STEPS_PER_SECOND as f64;
-        let mut random = Stream::Gust.random(seed);
+        let mut random = SensorStream::Gust.random(seed);
         let (time, deviation) = GUST;
         let turbulence = Turbulence {
             intensity: Vector3::new(1.0, 1.0, 1.0 / 3.0) * deviation,

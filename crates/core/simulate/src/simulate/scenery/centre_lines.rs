@@ -1,6 +1,6 @@
 //! The roads of the scenery as a road map has them.
 
-use super::things::{Road, RoadClass as SceneryRoadClass};
+use super::things::{Road, SceneryRoadClass};
 use super::turn;
 use pilotage_base::frames::GroundRect;
 use pilotage_roads::{RoadClass, RoadLine};

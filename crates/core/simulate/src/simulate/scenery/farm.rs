@@ -7,7 +7,7 @@ use super::noise::Dice;
 use super::plan::SceneryPlan;
 use super::scene_kind::SceneKind;
 use super::shape::{GroundOutline, Slab, Spot, smooth_curve};
-use super::things::{Habit, PropForm, Road, RoadClass, Roof, RoofCover, SurfaceMaterial};
+use super::things::{Habit, PropForm, Road, Roof, RoofCover, SceneryRoadClass, SurfaceMaterial};
 
 /// Builds a farm around its yard, and a track to the nearest road.
 pub(super) fn build(plan: &mut SceneryPlan, center: Spot, angle: f32, dice: &mut Dice) {
@@ -167,13 +167,13 @@ fn track(plan: &mut SceneryPlan, center: Spot, dice: &mut Dice) {
     let nearest = plan
         .roads
         .iter()
-        .filter(|r| r.class > RoadClass::Track)
+        .filter(|r| r.class > SceneryRoadClass::Track)
         .flat_map(|r| r.curve.iter().copied())
         .min_by(|x, y| (*x - center).length().total_cmp(&(*y - center).length()));
     if let Some(end) = nearest {
         let middle = (end + center) * 0.5 + (end - center).unit().right() * dice.range(-12.0, 12.0);
         plan.roads.push(Road {
-            class: RoadClass::Track,
+            class: SceneryRoadClass::Track,
             curve: smooth_curve(&[end, middle, center], 5.0),
             half_width: 1.6,
             name: None,

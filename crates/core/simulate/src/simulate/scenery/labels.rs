@@ -4,7 +4,7 @@ use super::bend::bent;
 use super::parcels::FieldCover;
 use super::scene_kind::{SceneKind, SceneLabel};
 use super::shape::{GroundOutline, Spot};
-use super::things::{Habit, PropForm, RoadClass, SurfaceMaterial};
+use super::things::{Habit, PropForm, SceneryRoadClass, SurfaceMaterial};
 use super::world::SceneryWorld;
 use pilotage_base::frames::{GroundPoint, GroundRect};
 
@@ -56,8 +56,8 @@ pub(super) fn labels(world: &SceneryWorld, rect: &GroundRect) -> Vec<SceneLabel>
     }
     for segment in &world.land.segments {
         let kind = match segment.class {
-            RoadClass::Stream => SceneKind::Stream,
-            RoadClass::Track => SceneKind::Track,
+            SceneryRoadClass::Stream => SceneKind::Stream,
+            SceneryRoadClass::Track => SceneKind::Track,
             _ => SceneKind::Road,
         };
         let side = segment.axis.right() * segment.half_width;

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::grid::{CellLists, REACH};
 use super::parcels::Parcels;
-use super::plan::{SceneryPlan, Segment, segment_grid};
+use super::plan::{RoadPiece, SceneryPlan, segment_grid};
 use super::shape::{Spot, spot};
 use super::texture::PeriodicTextures;
 use super::{distinct, network, settlement, water, woods};
@@ -16,7 +16,7 @@ pub(super) struct Land {
     pub(super) plan: SceneryPlan,
     /// The parcels and their use; what they bear on a day is not settled yet.
     pub(super) parcels: Parcels,
-    pub(super) segments: Vec<Segment>,
+    pub(super) segments: Vec<RoadPiece>,
     pub(super) segment_grid: CellLists,
     pub(super) surface_grid: CellLists,
     pub(super) solid_grid: CellLists,

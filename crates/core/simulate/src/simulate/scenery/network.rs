@@ -4,13 +4,13 @@ use super::plan::SceneryPlan;
 use super::road_table::ROADS;
 use super::scene_kind::SceneKind;
 use super::shape::{GroundOutline, Slab, Spot, smooth_curve, spot};
-use super::things::RoadClass::{Main, Street, Track};
-use super::things::{Road, RoadClass, SurfaceMaterial};
+use super::things::SceneryRoadClass::{Main, Street, Track};
+use super::things::{Road, SceneryRoadClass, SurfaceMaterial};
 
-fn road(plan: &mut SceneryPlan, name: &'static str, class: RoadClass, controls: &[Spot]) {
+fn road(plan: &mut SceneryPlan, name: &'static str, class: SceneryRoadClass, controls: &[Spot]) {
     let half_width = match class {
         Main => 3.6,
-        RoadClass::Stream => 1.7,
+        SceneryRoadClass::Stream => 1.7,
         Street => 2.9,
         Track => 1.35,
     };

@@ -5,7 +5,7 @@ use super::noise::Dice;
 use super::scene_kind::{DistinctFeature, SceneKind};
 use super::shape::{GroundOutline, Slab, Spot, spot};
 use super::things::{
-    Crown, FlatSurface, Habit, Prop, PropForm, Road, RoadClass, Roof, RoofCover, Solid,
+    Crown, FlatSurface, Habit, Prop, PropForm, Road, Roof, RoofCover, SceneryRoadClass, Solid,
     SurfaceMaterial,
 };
 use pilotage_base::frames::GroundRect;
@@ -149,7 +149,7 @@ impl SceneryPlan {
     }
 
     /// A road's straight pieces with their road's number, for the grid.
-    pub(super) fn segments(&self) -> Vec<Segment> {
+    pub(super) fn segments(&self) -> Vec<RoadPiece> {
         let mut order: Vec<usize> = (0..self.roads.len()).collect();
         order.sort_by_key(|&i| self.roads[i].class);
         let mut segments = Vec::new();
@@ -158,7 +158,7 @@ impl SceneryPlan {
             let mut along = 0.0;
             for w in road.curve.windows(2) {
                 let length = (w[1] - w[0]).length();
-                segments.push(Segment {
+                segments.push(RoadPiece {
                     road: i as u32,
                     class: road.class,
                     half_width: road.half_width,
@@ -176,9 +176,9 @@ impl SceneryPlan {
 
 /// A straight piece of a road.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Segment {
+pub(super) struct RoadPiece {
     pub(super) road: u32,
-    pub(super) class: RoadClass,
+    pub(super) class: SceneryRoadClass,
     pub(super) half_width: f32,
     pub(super) start: Spot,
     pub(super) axis: Spot,
@@ -187,7 +187,7 @@ pub(super) struct Segment {
     pub(super) along: f32,
 }
 
-impl Segment {
+impl RoadPiece {
     /// (distance, signed offset to the right, distance along the road).
     #[inline]
     pub(super) fn measure(&self, p: Spot) -> (f32, f32, f32) {
@@ -207,7 +207,7 @@ impl Segment {
 }
 
 /// The grid over road segments.
-pub(super) fn segment_grid(segments: &[Segment]) -> CellLists {
+pub(super) fn segment_grid(segments: &[RoadPiece]) -> CellLists {
     CellLists::new(
         segments,
         9.5,

@@ -2,11 +2,11 @@
 
 use super::plan::leg_one as l;
 use super::shape::{Spot, spot as s};
-use super::things::RoadClass::{self, Main, Street, Track};
+use super::things::SceneryRoadClass::{self, Main, Street, Track};
 
 /// All roads of the plan but the roundabout. The straight piece of South Road from (-40, 230) to
 /// (-720, -450) runs under the second leg.
-pub(super) const ROADS: [(&str, RoadClass, &[Spot]); 24] = [
+pub(super) const ROADS: [(&str, SceneryRoadClass, &[Spot]); 24] = [
     (
         "South Road",
         Main,

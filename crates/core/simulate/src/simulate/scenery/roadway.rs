@@ -4,17 +4,17 @@ use super::fields::{line_share, repeated};
 use super::light::{Color, mix, scale};
 use super::noise::{smooth_step, unit};
 use super::paint::cover_share;
-use super::plan::Segment;
+use super::plan::RoadPiece;
 use super::shape::Spot;
 use super::surfaces::tarmac;
-use super::things::RoadClass;
+use super::things::SceneryRoadClass;
 use super::world::SceneryWorld;
 
 /// Road near a place.
 #[derive(Clone, Copy)]
 struct Near {
     road: u32,
-    class: RoadClass,
+    class: SceneryRoadClass,
     distance: f32,
     offset: f32,
     along: f32,
@@ -32,7 +32,7 @@ impl SceneryWorld {
         let mut near: [Option<Near>; 4] = [None; 4];
         let mut count = 0;
         for &i in cell {
-            let s: &Segment = &self.land.segments[i as usize];
+            let s: &RoadPiece = &self.land.segments[i as usize];
             let (distance, offset, along) = s.measure(p);
             if distance > s.half_width + 5.5 {
                 continue;
@@ -73,8 +73,8 @@ impl SceneryWorld {
         let mut out = under;
         for n in near[..count].iter().flatten() {
             match n.class {
-                RoadClass::Stream => out = stream(out, n, [speckle, clumps, patches]),
-                RoadClass::Track => out = track(out, n, [speckle, clumps, patches], gsd),
+                SceneryRoadClass::Stream => out = stream(out, n, [speckle, clumps, patches]),
+                SceneryRoadClass::Track => out = track(out, n, [speckle, clumps, patches], gsd),
                 _ => {}
             }
         }
@@ -84,7 +84,7 @@ impl SceneryWorld {
         for n in near[..count]
             .iter()
             .flatten()
-            .filter(|n| n.class > RoadClass::Track)
+            .filter(|n| n.class > SceneryRoadClass::Track)
         {
             let d = n.distance - n.half_width;
             let h = (4.5 - (depth - d).abs()).max(0.0) / 4.5;
@@ -103,7 +103,8 @@ impl SceneryWorld {
             return out;
         };
         let fray = depth + 0.1 * clumps + 0.08 * speckle;
-        if main.class == RoadClass::Main || !self.land.plan.roads[main.road as usize].village {
+        if main.class == SceneryRoadClass::Main || !self.land.plan.roads[main.road as usize].village
+        {
             let grass = scale(
                 mix(
                     [0.07, 0.08, 0.036],
@@ -136,7 +137,7 @@ impl SceneryWorld {
         let age = 0.45 + 0.5 * (unit(main.road.wrapping_mul(0x9e37_79b1)) - 0.5);
         let mut tar = tarmac([speckle, clumps, patches, veins], age);
         let v = main.offset;
-        if main.class == RoadClass::Main || main.class == RoadClass::Street {
+        if main.class == SceneryRoadClass::Main || main.class == SceneryRoadClass::Street {
             // Wheel paths are worn pale, the lane's middle holds a darker oil line.
             let lane = v.abs() - 0.5 * main.half_width;
             let wheel = 1.0 - ((lane.abs() - 0.8) / 0.45).powi(2).min(1.0);
@@ -147,13 +148,15 @@ impl SceneryWorld {
         out = mix(out, tar, sealed);
         // Where another sealed road joins, lines stop.
         let joined = near[..count].iter().flatten().any(|n| {
-            n.road != main.road && n.class > RoadClass::Track && n.distance < n.half_width + 1.2
+            n.road != main.road
+                && n.class > SceneryRoadClass::Track
+                && n.distance < n.half_width + 1.2
         });
         let worn = (0.86 + 0.5 * clumps + 0.35 * patches).clamp(0.25, 1.0);
-        if main.class == RoadClass::Main && main.distance > v.abs() + 1e-3 {
+        if main.class == SceneryRoadClass::Main && main.distance > v.abs() + 1e-3 {
             return out;
         }
-        if main.class == RoadClass::Main {
+        if main.class == SceneryRoadClass::Main {
             let centre = line_share(v.abs() - 0.13, 0.06, gsd).max(if gsd > 0.3 {
                 line_share(v, 0.12, gsd)
             } else {

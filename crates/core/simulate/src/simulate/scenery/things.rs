@@ -212,7 +212,7 @@ pub(super) enum PropForm {
 
 /// The class of a road.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum RoadClass {
+pub(super) enum SceneryRoadClass {
     Stream,
     Track,
     Street,
@@ -222,7 +222,7 @@ pub(super) enum RoadClass {
 /// A road along a curve.
 #[derive(Clone, Debug)]
 pub(super) struct Road {
-    pub(super) class: RoadClass,
+    pub(super) class: SceneryRoadClass,
     pub(super) curve: Vec<Spot>,
     pub(super) half_width: f32,
     pub(super) name: Option<&'static str>,

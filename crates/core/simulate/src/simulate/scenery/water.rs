@@ -3,7 +3,7 @@
 use super::plan::SceneryPlan;
 use super::scene_kind::SceneKind;
 use super::shape::{GroundOutline, Slab, Spot, polygon_distance, smooth_curve, spot};
-use super::things::{Road, RoadClass, SurfaceMaterial};
+use super::things::{Road, SceneryRoadClass, SurfaceMaterial};
 
 /// Lays the pond and the stream that feeds and leaves it.
 pub(super) fn build(plan: &mut SceneryPlan) {
@@ -70,7 +70,7 @@ pub(super) fn build(plan: &mut SceneryPlan) {
     for reach in points.split(|&p| wet(p)) {
         if reach.len() > 1 {
             plan.roads.push(Road {
-                class: RoadClass::Stream,
+                class: SceneryRoadClass::Stream,
                 curve: reach.to_vec(),
                 half_width: 1.7,
                 name: Some("stream"),

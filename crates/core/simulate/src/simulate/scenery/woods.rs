@@ -4,15 +4,15 @@ use super::bend::{bent, unbent};
 use super::grid::{CellLists, REACH};
 use super::noise::{Dice, hash2, unit, value_noise};
 use super::parcels::{Parcels, Use};
-use super::plan::{SceneryPlan, Segment};
+use super::plan::{RoadPiece, SceneryPlan};
 use super::shape::{Spot, spot};
 use super::texture::PeriodicTexture;
-use super::things::{Habit, RoadClass};
+use super::things::{Habit, SceneryRoadClass};
 
 /// Obstacles that keep trees away, looked up by cells.
 pub(super) struct TreeObstacles<'a> {
     pub(super) land: &'a PeriodicTexture,
-    pub(super) segments: &'a [Segment],
+    pub(super) segments: &'a [RoadPiece],
     pub(super) segment_grid: &'a CellLists,
     pub(super) surface_grid: &'a CellLists,
     pub(super) solid_grid: &'a CellLists,
@@ -154,7 +154,7 @@ fn banks(plan: &mut SceneryPlan, ground: &TreeObstacles, dice: &mut Dice) {
     let streams = plan
         .roads
         .iter()
-        .filter(|r| r.class == RoadClass::Stream)
+        .filter(|r| r.class == SceneryRoadClass::Stream)
         .map(|r| (r.curve.clone(), r.half_width));
     let lines: Vec<(Vec<Spot>, f32)> = ponds.chain(streams).collect();
     for (line, half_width) in lines {
