@@ -64,7 +64,7 @@ struct PhotoResult {
     /// Assumptions, and their sources.
     assumed: Vec<String>,
     #[serde(flatten)]
-    laid: Option<LaidPhoto>,
+    laid: Option<RegisteredPhotoRow>,
     /// Why it was not laid.
     #[serde(skip_serializing_if = "Option::is_none")]
     refused: Option<String>,
@@ -74,7 +74,7 @@ struct PhotoResult {
 
 /// Place at which a photo was laid.
 #[derive(Serialize)]
-struct LaidPhoto {
+struct RegisteredPhotoRow {
     /// Ground in the middle of the picture, degrees.
     centre_lat_lon: Option<[f64; 2]>,
     /// The same in metres north and east of the map's origin, with its covariance, m².
@@ -225,11 +225,11 @@ fn answer(path: &Path, report: PhotoReport, ground: &PlacedMap) -> PhotoResult {
     }
 }
 
-fn laid(ground: &PlacedMap, photo: &RegisteredPhoto) -> LaidPhoto {
+fn laid(ground: &PlacedMap, photo: &RegisteredPhoto) -> RegisteredPhotoRow {
     let below = photo.below();
     let attitude = photo.camera.attitude;
     let covariance = photo.centre_covariance;
-    LaidPhoto {
+    RegisteredPhotoRow {
         centre_lat_lon: ground.lat_lon(photo.centre),
         centre_north_east_m: [photo.centre.north, photo.centre.east],
         centre_covariance_m2: [

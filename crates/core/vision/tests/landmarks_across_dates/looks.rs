@@ -22,7 +22,7 @@ const OUTSIDE: f64 = 150.0;
 pub const ELSEWHERE: f64 = 8.0;
 
 /// A photo and the pose that registration found for it, which stands for the truth.
-pub struct Laid<'a> {
+pub struct RegisteredPhotoTruth<'a> {
     pub photo: &'a Photo,
     pub pose: Pose,
 }
@@ -83,11 +83,11 @@ impl Seen {
 }
 
 /// Registers every photo; those that cannot be are left out.
-pub fn laid(site: &Site) -> Vec<Laid<'_>> {
+pub fn laid(site: &Site) -> Vec<RegisteredPhotoTruth<'_>> {
     let lay = |photo| {
         let look = look_at(site, photo);
         let found = register(&look, &prior(photo)).ok()?;
-        Some(Laid {
+        Some(RegisteredPhotoTruth {
             photo,
             pose: found.fit.at.pose,
         })
@@ -145,7 +145,7 @@ pub fn boxes(map: &dyn Imagery, side: f64, step: f64) -> Vec<Landmark> {
 }
 
 /// The pose that somebody assumes who knows no better than `doubt`.
-fn assumed(laid: &Laid<'_>, doubt: &Doubt, random: &mut ChaCha8Rng) -> Pose {
+fn assumed(laid: &RegisteredPhotoTruth<'_>, doubt: &Doubt, random: &mut ChaCha8Rng) -> Pose {
     let mut normal = || -> f64 { StandardNormal.sample(random) };
     let mut pose = laid.pose;
     pose.position_in_world.x += doubt.position * normal();
@@ -167,7 +167,7 @@ pub enum Which {
 }
 
 /// Whether the middle of a landmark lies out of the picture, by no more than [`OUTSIDE`].
-fn is_just_outside(laid: &Laid<'_>, landmark: &Landmark) -> bool {
+fn is_just_outside(laid: &RegisteredPhotoTruth<'_>, landmark: &Landmark) -> bool {
     let middle = landmark.bounds.center();
     let point = Point3::new(middle.north, middle.east, 0.0);
     let pixel = laid.photo.camera.project(&laid.pose, &point);
@@ -178,7 +178,7 @@ fn is_just_outside(laid: &Laid<'_>, landmark: &Landmark) -> bool {
 
 /// Looks for landmarks in every photo.
 pub fn look(
-    laid: &[Laid<'_>],
+    laid: &[RegisteredPhotoTruth<'_>],
     landmarks: &[Landmark],
     detector: &mut dyn Detector,
     doubt: &Doubt,
