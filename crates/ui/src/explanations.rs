@@ -4,25 +4,15 @@ use pilotage_jobs::{ExplainOrder, ExplainedBy, Job, JobEvent, JobId};
 
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
+use crate::views::ExplainedStep;
 
-/// Landmark in a step of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ExplainedStep {
-    /// Generation of the run.
-    run: u64,
-    /// Time of the step, seconds in the flight's time base.
-    pub time: f64,
-    /// Landmark id.
-    pub landmark: u32,
-}
-
-/// Answer that was `found`, if it is about the run that is open.
+/// Answer that was `found` with what it is of, if it is about the run that is open.
 pub fn of_run<'a, T>(
     found: Option<&'a (ExplainedStep, T)>,
     documents: &Documents,
-) -> Option<&'a T> {
+) -> Option<(ExplainedStep, &'a T)> {
     let (step, answer) = found?;
-    (step.run == documents.run.generation).then_some(answer)
+    (step.run == documents.run.generation).then_some((*step, answer))
 }
 
 /// Questions of one kind: the one under way, and the one answered last.

@@ -11,10 +11,11 @@ use super::judgement::Judgement;
 use super::{DetectorCommand, DetectorView};
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::explanations::{ExplainedStep, Explanations, of_run};
+use crate::explanations::{Explanations, of_run};
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::shell::CommandLack;
 use crate::state_json::object;
+use crate::views::ExplainedStep;
 
 /// Description of the feature.
 const INFO: FeatureInfo = FeatureInfo {
@@ -118,7 +119,7 @@ impl Feature for DetectorFeature {
 
     fn state(&self, documents: &Documents) -> Value {
         let (passed, stages) = self.view.passed();
-        let shown = of_run(self.found.as_ref(), documents).map(|search| {
+        let shown = of_run(self.found.as_ref(), documents).map(|(_, search)| {
             let found = search.found.as_ref();
             object!({
                 "time": search.time,

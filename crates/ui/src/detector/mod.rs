@@ -23,7 +23,7 @@ use pilotage_core::navigator::{FrameReport, Run};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::views::sights::Sights;
-use crate::views::{color_map, parts, picking};
+use crate::views::{ExplainedStep, color_map, parts, picking};
 use patch::PatchState;
 use pilotage_jobs::DetectorSearch;
 
@@ -35,8 +35,8 @@ const STAGE_SECONDS: f64 = 0.9;
 
 /// Textures of one search.
 struct SearchTextures {
-    /// Time and landmark of the search.
-    key: (f64, u32),
+    /// Step, of one run, and landmark of the search.
+    of: ExplainedStep,
     ground: TextureHandle,
     score: TextureHandle,
     patches: [Option<TextureHandle>; 2],
@@ -89,12 +89,12 @@ impl DetectorView {
         }
     }
 
-    /// Draws the view; `search` is what was asked for last.
+    /// Draws the view; `search` is what was asked for last, with what it is of.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
-        search: Option<&DetectorSearch>,
+        search: Option<(ExplainedStep, &DetectorSearch)>,
     ) {
         let tokens = context.tokens;
         self.wanted = None;
@@ -132,19 +132,15 @@ impl DetectorView {
                     landmark,
                 };
                 context.commands.push(Command::from(ask));
-                let is_it = |s: &&DetectorSearch| s.landmark == landmark && s.time == step.time;
-                match search.filter(is_it) {
+                match search.filter(|(of, _)| of.is(step.time, landmark)) {
                     None => {
                         let hint = "The picture is searched again in the background.";
                         parts::empty(ui, tokens, "Looking …", hint);
                     }
-                    Some(DetectorSearch {
-                        found: Err(why), ..
-                    }) => parts::empty(ui, tokens, "Nothing to show", why),
-                    Some(DetectorSearch {
-                        found: Ok(evidence),
-                        ..
-                    }) => self.explain(ui, context, (step.time, landmark), evidence),
+                    Some((of, search)) => match &search.found {
+                        Err(why) => parts::empty(ui, tokens, "Nothing to show", why),
+                        Ok(evidence) => self.explain(ui, context, of, evidence),
+                    },
                 }
             });
     }
@@ -154,13 +150,13 @@ impl DetectorView {
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
-        key: (f64, u32),
+        of: ExplainedStep,
         evidence: &CascadeEvidence,
     ) {
         let tokens = context.tokens;
         self.stages = evidence.stages.len();
         self.play(ui);
-        self.textures(ui, key, evidence);
+        self.textures(ui, of, evidence);
         let (passed, _) = self.passed();
         ui.add_space(0.5 * tokens.space);
         ui.label(
@@ -228,8 +224,8 @@ impl DetectorView {
     }
 
     /// Makes the textures of a search that is shown for the first time.
-    fn textures(&mut self, ui: &Ui, key: (f64, u32), evidence: &CascadeEvidence) {
-        if self.textures.as_ref().is_some_and(|t| t.key == key) {
+    fn textures(&mut self, ui: &Ui, of: ExplainedStep, evidence: &CascadeEvidence) {
+        if self.textures.as_ref().is_some_and(|t| t.of == of) {
             return;
         }
         let load = |name: &str, image: egui::ColorImage, options: TextureOptions| {
@@ -250,7 +246,7 @@ impl DetectorView {
             Some(load("patch", image, TextureOptions::NEAREST))
         });
         self.textures = Some(SearchTextures {
-            key,
+            of,
             ground: load("ground", bytes(&evidence.ground), TextureOptions::LINEAR),
             score: load("score", score, TextureOptions::NEAREST),
             patches,

@@ -102,6 +102,8 @@ struct State {
     fixture: Fixture,
     view: DetectorView,
     search: Option<DetectorSearch>,
+    /// Generation of the run that the search is of.
+    run: u64,
     time: f64,
     commands: Vec<Command>,
 }
@@ -118,6 +120,7 @@ impl State {
             fixture,
             view: DetectorView::default(),
             search: None,
+            run: 1,
             time: 9.0,
             commands: Vec::new(),
         }
@@ -151,7 +154,15 @@ impl State {
             tokens,
             ..self.fixture.context(self.time, &mut commands)
         };
-        self.view.show(ui, &mut context, self.search.as_ref());
+        let search = self.search.as_ref().map(|search| {
+            let of = ExplainedStep {
+                run: self.run,
+                time: search.time,
+                landmark: search.landmark,
+            };
+            (of, search)
+        });
+        self.view.show(ui, &mut context, search);
         for command in &commands {
             let Command::Feature(command) = command else {
                 continue;
@@ -216,6 +227,26 @@ fn the_search_is_asked_for_and_another_one_is_not_shown() {
     harness.state_mut().search = Some(other);
     harness.run();
     harness.get_by_label("Looking …");
+}
+
+#[test]
+fn the_pictures_of_the_run_before_are_not_shown_beside_the_numbers_of_the_run_of_now() {
+    let mut harness = looked(Look::Edges);
+    let shown = |harness: &Harness<'static, State>| {
+        let textures = harness.state().view.textures.as_ref().unwrap();
+        let rejected = textures.rejected.as_ref().map(|(_, texture)| texture.id());
+        [textures.ground.id(), textures.score.id(), rejected.unwrap()]
+    };
+    let before = shown(&harness);
+    harness.run();
+    assert_eq!(shown(&harness), before, "once for each search");
+    // The flight is flown again: the same step and the same landmark.
+    harness.state_mut().run = 2;
+    harness.run();
+    let after = shown(&harness);
+    for (before, after) in before.into_iter().zip(after) {
+        assert_ne!(before, after);
+    }
 }
 
 #[test]

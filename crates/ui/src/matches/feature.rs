@@ -7,11 +7,11 @@ use serde_json::Value;
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::Documents;
-use crate::explanations::{ExplainedStep, Explanations, of_run};
+use crate::explanations::{Explanations, of_run};
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
 use crate::state_json::object;
-use crate::views::{MATCH, MatchCommand, MatchView};
+use crate::views::{ExplainedStep, MATCH, MatchCommand, MatchView};
 
 /// Description of the feature.
 const INFO: FeatureInfo = FeatureInfo {
@@ -56,7 +56,7 @@ impl Feature for MatchFeature {
     }
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
-        let pictures = of_run(self.found.as_ref(), documents);
+        let pictures = of_run(self.found.as_ref(), documents).map(|(_, pictures)| pictures);
         self.view.show(ui, context, pictures);
     }
 
@@ -77,7 +77,7 @@ impl Feature for MatchFeature {
         let pictures = of_run(self.found.as_ref(), documents);
         pictures.map_or(
             Value::Null,
-            |m| object!({"time": m.time, "landmark": m.landmark}),
+            |(_, m)| object!({"time": m.time, "landmark": m.landmark}),
         )
     }
 

@@ -7,6 +7,7 @@ pub(crate) mod canvas;
 pub(crate) mod chart;
 pub(crate) mod color_map;
 pub(crate) mod ellipse;
+mod explained_step;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod heat_image;
@@ -25,6 +26,7 @@ pub(crate) mod table;
 mod time_axis;
 
 pub use camera::CameraView;
+pub use explained_step::ExplainedStep;
 pub use inspector::InspectorView;
 pub use landmark_list::{Examined, LandmarkList};
 pub use landmark_row::landmark_row;
