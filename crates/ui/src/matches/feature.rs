@@ -56,7 +56,7 @@ impl Feature for MatchFeature {
     }
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
-        let pictures = of_run(self.found.as_ref(), documents).map(|(_, pictures)| pictures);
+        let pictures = of_run(self.found.as_ref(), documents);
         self.view.show(ui, context, pictures);
     }
 

@@ -16,7 +16,7 @@ use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::{Overrides, Scenario};
 
 use super::fixture::{Fixture, match_pictures};
-use super::{CameraView, InspectorView, MatchView, PlotsView, canvas, picking};
+use super::{CameraView, ExplainedStep, InspectorView, MatchView, PlotsView, canvas, picking};
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -221,7 +221,14 @@ impl ViewDocuments {
             [360.0, 480.0],
             time,
             None,
-            |view: &mut MatchView, ui, context| view.show(ui, context, matched.as_ref()),
+            |view: &mut MatchView, ui, context| {
+                let of = |matched: &MatchPictures| ExplainedStep {
+                    run: 0,
+                    time: matched.time,
+                    landmark: matched.landmark,
+                };
+                view.show(ui, context, matched.as_ref().map(|it| (of(it), it)));
+            },
         );
         self.both(&named("plots"), [480.0, 460.0], time, None, PlotsView::show);
         self.both(

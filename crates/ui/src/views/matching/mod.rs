@@ -8,7 +8,7 @@ use egui::{RichText, ScrollArea, Ui};
 use pilotage_core::navigator::{CandidateReport, Outcome, Refusal, Run, StepReport};
 
 use super::sights::{LastStep, Sights};
-use super::{parts, picking, sighted};
+use super::{ExplainedStep, parts, picking, sighted};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::units::clock;
@@ -38,12 +38,13 @@ impl MatchView {
         self.drawn
     }
 
-    /// Draws the view: numbers at once, pictures when they have arrived; `pictures` are those that arrived last.
+    /// Draws the view: numbers at once, pictures when they have arrived; `pictures` are those that arrived last, with what
+    /// they are of.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
-        pictures: Option<&MatchPictures>,
+        pictures: Option<(ExplainedStep, &MatchPictures)>,
     ) {
         let tokens = context.tokens;
         self.wanted = None;
@@ -76,7 +77,7 @@ impl MatchView {
             landmark: candidate.landmark,
         };
         context.commands.push(ask.into());
-        let chosen = pictures.filter(|m| is_of(m, step.time, candidate.landmark));
+        let chosen = pictures.filter(|(of, _)| of.is(step.time, candidate.landmark));
         let name = picking::landmark_name(run, candidate.landmark);
         ScrollArea::vertical()
             .id_salt("match")
@@ -181,11 +182,6 @@ fn coming(seconds: f64) -> String {
         return "The next comes now: go there".to_owned();
     }
     format!("The next comes in {seconds:.1} s: go there")
-}
-
-/// Whether pictures belong to this step and landmark.
-fn is_of(pictures: &MatchPictures, time: f64, landmark: u32) -> bool {
-    pictures.landmark == landmark && (pictures.time - time).abs() < 1e-6
 }
 
 /// Why a match has no pictures, if it will never have any.

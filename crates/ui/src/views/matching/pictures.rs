@@ -2,7 +2,7 @@
 
 use egui::{Align2, Rect, Sense, Stroke, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
-use super::super::{color_map, parts};
+use super::super::{ExplainedStep, color_map, parts};
 use crate::tokens::Tokens;
 use pilotage_jobs::MatchPictures;
 
@@ -14,7 +14,7 @@ const MOST_PATCHES: f32 = 4.0;
 /// Textures of the pictures shown last.
 #[derive(Default)]
 pub(super) struct MatchTextures {
-    key: Option<(f64, u32)>,
+    of: Option<ExplainedStep>,
     textures: Vec<TextureHandle>,
 }
 
@@ -25,13 +25,13 @@ impl MatchTextures {
         &mut self,
         ui: &mut Ui,
         tokens: &Tokens,
-        pictures: Option<&MatchPictures>,
+        pictures: Option<(ExplainedStep, &MatchPictures)>,
         never: Option<&str>,
     ) {
         let gap = tokens.space;
         let width = ui.available_width();
         let caption = 1.6 * tokens.text_sizes[0];
-        let Some(pictures) = pictures else {
+        let Some((of, pictures)) = pictures else {
             let height = 0.34 * width;
             let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
             let text = never.map_or_else(
@@ -49,7 +49,7 @@ impl MatchTextures {
             );
             return;
         };
-        self.update(ui, pictures);
+        self.update(ui, of, pictures);
         let rasters = [&pictures.patch, &pictures.rectified, &pictures.surface];
         let whole = rasters.map(|r| vec2(r.width().max(1) as f32, r.height().max(1) as f32));
         let part = worth_seeing(pictures, whole[0], whole[1]);
@@ -119,12 +119,17 @@ impl MatchTextures {
         legend(ui, tokens, pictures);
     }
 
-    fn update(&mut self, ui: &Ui, pictures: &MatchPictures) {
-        let key = Some((pictures.time, pictures.landmark));
-        if self.key == key && self.textures.len() == 3 {
+    /// Textures of the patch, the rectified picture and the score surface, as shown last.
+    #[cfg(test)]
+    pub fn ids(&self) -> Vec<egui::TextureId> {
+        self.textures.iter().map(TextureHandle::id).collect()
+    }
+
+    fn update(&mut self, ui: &Ui, of: ExplainedStep, pictures: &MatchPictures) {
+        if self.of == Some(of) && self.textures.len() == 3 {
             return;
         }
-        self.key = key;
+        self.of = Some(of);
         let gray_range = color_map::range(&pictures.rectified).unwrap_or((0.0, 255.0));
         let patch_range = color_map::range(&pictures.patch).unwrap_or((0.0, 255.0));
         let images = [

@@ -11,6 +11,8 @@ struct State {
     fixture: Fixture,
     view: MatchView,
     pictures: Option<MatchPictures>,
+    /// Generation of the run that the pictures are of.
+    run: u64,
     time: f64,
     commands: Vec<Command>,
 }
@@ -20,6 +22,7 @@ fn harness(time: f64) -> Harness<'static, State> {
         fixture: Fixture::lasting(20.0),
         view: MatchView::default(),
         pictures: None,
+        run: 1,
         time,
         commands: Vec::new(),
     };
@@ -27,7 +30,14 @@ fn harness(time: f64) -> Harness<'static, State> {
         |ui, state| {
             let fixture = &state.fixture;
             let mut context = fixture.context(state.time, &mut state.commands);
-            let pictures = state.pictures.as_ref();
+            let pictures = state.pictures.as_ref().map(|pictures| {
+                let of = ExplainedStep {
+                    run: state.run,
+                    time: pictures.time,
+                    landmark: pictures.landmark,
+                };
+                (of, pictures)
+            });
             state.view.show(ui, &mut context, pictures);
         },
         state,
@@ -62,6 +72,26 @@ fn pictures_of_another_match_are_not_shown() {
     harness.state_mut().pictures = Some(right);
     harness.run();
     harness.get_by_label("Map patch, rectified picture, and score at every place");
+}
+
+#[test]
+fn the_pictures_of_the_run_before_are_not_shown_for_the_match_of_now() {
+    let mut harness = harness(12.0);
+    harness.run();
+    let (time, landmark) = harness.state().view.wanted().unwrap();
+    harness.state_mut().pictures = Some(match_pictures(time, landmark));
+    harness.run();
+    let shown = |harness: &Harness<'static, State>| harness.state().view.textures.ids();
+    let before = shown(&harness);
+    assert_eq!(before.len(), 3);
+    harness.run();
+    assert_eq!(shown(&harness), before, "once for each match");
+    // The landmark was made larger, and the flight flown again.
+    harness.state_mut().run = 2;
+    harness.run();
+    for (before, after) in before.into_iter().zip(shown(&harness)) {
+        assert_ne!(before, after);
+    }
 }
 
 #[test]
