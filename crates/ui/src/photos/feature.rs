@@ -77,7 +77,7 @@ impl PhotosFeature {
         self.draping = Some((job, number));
     }
 
-    fn stop_draping(&mut self, context: &mut FeatureContext<'_>) {
+    pub(super) fn stop_draping(&mut self, context: &mut FeatureContext<'_>) {
         if let Some((job, _)) = self.draping.take() {
             context.cancel(job);
         }

@@ -150,8 +150,10 @@ impl PhotosFeature {
         self.lay(context);
     }
 
+    /// Lays all of them anew; of what came of them before, nothing is shown any more.
     pub(super) fn lay(&mut self, context: &mut FeatureContext<'_>) {
         self.stop(context);
+        self.stop_draping(context);
         if let Some(order) = self.state.begin() {
             self.laying = Some(context.start(Job::LayPhotos(Box::new(order))));
         }

@@ -201,6 +201,48 @@ fn limits_are_changed_and_the_photos_laid_again() {
     assert!(error(&laid[0], (120, 100)) < 1.5, "{laid:?}");
 }
 
+/// Orders of a kind that were given so far.
+fn orders(rig: &mut Rig, of_kind: fn(&Job) -> bool) -> usize {
+    let jobs = &rig.host().jobs;
+    jobs.iter().filter(|(_, job)| of_kind(job)).count()
+}
+
+/// Answers the last job of a kind that was left without an answer, and all that are asked for from now on.
+fn answer_left(rig: &mut Rig, of_kind: fn(&Job) -> bool) {
+    let host = rig.host();
+    host.left = None;
+    let left = host.jobs.iter().rev().find(|(_, job)| of_kind(job));
+    let (id, job) = left.cloned().expect("it was asked for");
+    host.answer(id, &job);
+}
+
+#[test]
+fn the_picture_of_an_earlier_laying_is_not_shown_at_the_new_place() {
+    let is_drape = |job: &Job| matches!(job, Job::DrapePhoto(_));
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    let mut files = map(&ground);
+    files.push(file("a.jpg", photo(&ground, (120, 100), [9.0, -7.0])));
+    rig.host().left = Some(is_drape);
+    rig.host().opened.push(files);
+    rig.settle();
+    assert_eq!(orders(&mut rig, is_drape), 1);
+    rig.host().left = Some(|job| matches!(job, Job::LayPhotos(_)));
+    rig.harness.get_by_label("Lay again").click();
+    rig.frames(3);
+    answer_left(&mut rig, is_drape);
+    rig.frames(3);
+    answer_left(&mut rig, |job| matches!(job, Job::LayPhotos(_)));
+    rig.settle();
+    assert_eq!(
+        orders(&mut rig, is_drape),
+        2,
+        "it is shown where it lies now"
+    );
+    assert_eq!(rig.state()["photos"]["draped"], true);
+}
+
 #[test]
 fn a_known_height_has_the_same_limits_in_feet() {
     let mut rig = rig();
@@ -233,16 +275,12 @@ fn pictures_without_a_map_to_lay_them_on_are_told_in_words_and_laid_on_the_map_t
     let files = ["a.png", "b.png"].map(|name| file(name, encode_png(&ground).expect("memory")));
     rig.host().opened.push(files.to_vec());
     rig.settle();
-    let orders = |rig: &mut Rig| {
-        let jobs = rig.host().jobs.iter();
-        jobs.filter(|(_, job)| matches!(job, Job::LayPhotos(_)))
-            .count()
-    };
-    assert_eq!(orders(&mut rig), 0);
+    let is_laying = |job: &Job| matches!(job, Job::LayPhotos(_));
+    assert_eq!(orders(&mut rig, is_laying), 0);
     let toasts = rig.state()["toasts"].to_string().to_lowercase();
     assert!(toasts.contains("a.png and 1 more wait for it"), "{toasts}");
     rig.host().opened.push(map(&town(MAP.0, MAP.1, 7)));
     rig.settle();
-    assert_eq!((orders(&mut rig), rows(&mut rig).len()), (1, 2));
+    assert_eq!((orders(&mut rig, is_laying), rows(&mut rig).len()), (1, 2));
     assert_eq!(rig.state()["side_tab"], "photos");
 }
