@@ -196,8 +196,7 @@ impl Feature for PhotosFeature {
         if is_strange {
             self.stop(context);
             self.stop_draping(context);
-            let search = std::mem::take(&mut self.state).search;
-            self.state.search = search;
+            self.state.leave();
         }
     }
 

@@ -33,6 +33,18 @@ pub struct Sought {
     pub ground: GroundRect,
 }
 
+/// How far is searched and how good the map is, without what is known better of some photos than they tell.
+fn limits(search: PhotoSearch) -> PhotoSearch {
+    PhotoSearch {
+        at: None,
+        height: None,
+        heading: None,
+        ahead: None,
+        focal: None,
+        ..search
+    }
+}
+
 /// Photos on the map, until others are opened.
 pub struct PhotosState {
     /// Photos to be laid, and their map.
@@ -71,11 +83,23 @@ impl Default for PhotosState {
 }
 
 impl PhotosState {
-    /// Takes others to be laid.
+    /// Takes others to be laid. What is known better of those before them does not count for them.
     pub fn seek(&mut self, sought: Sought) {
         self.forget();
+        if self.sought.is_some() {
+            self.search = limits(self.search);
+        }
         self.reports = vec![None; sought.names.len()];
         self.sought = Some(sought);
+    }
+
+    /// Leaves them; how far is searched stays.
+    pub fn leave(&mut self) {
+        let search = limits(self.search);
+        *self = Self {
+            search,
+            ..Self::default()
+        };
     }
 
     /// Forgets what came of them.

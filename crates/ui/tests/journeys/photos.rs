@@ -1,6 +1,7 @@
 //! Photos are laid on a map one by one.
 
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pilotage_core::flight::photo::PhotoSearch;
 use pilotage_core::raster::{Picture, encode_jpeg, encode_png};
 use pilotage_jobs::Job;
 use pilotage_ui::host::OpenedFile;
@@ -241,6 +242,44 @@ fn the_picture_of_an_earlier_laying_is_not_shown_at_the_new_place() {
         "it is shown where it lies now"
     );
     assert_eq!(rig.state()["photos"]["draped"], true);
+}
+
+/// Search of the last laying.
+fn last_search(rig: &mut Rig) -> PhotoSearch {
+    let jobs = rig.host().jobs.iter().rev();
+    let mut orders = jobs.filter_map(|(_, job)| match job {
+        Job::LayPhotos(order) => Some(order.search),
+        _ => None,
+    });
+    orders.next().expect("photos were laid")
+}
+
+#[test]
+fn a_fact_about_photos_does_not_count_for_those_that_are_opened_next() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    rig.host().opened.push(map(&ground));
+    rig.settle();
+    let photo = photo(&ground, (120, 100), [0.0, 0.0]);
+    rig.host().opened.push(vec![file("a.jpg", photo.clone())]);
+    rig.settle();
+    let known = "Known better than by the photos";
+    rig.harness.get_by_label(known).click();
+    rig.frames(30);
+    rig.harness
+        .get_by_label("Around the middle of the map view")
+        .click();
+    rig.frames(3);
+    rig.harness.get_by_label("Focal length").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Lay again").click();
+    rig.settle();
+    let stated = last_search(&mut rig);
+    assert!(stated.at.is_some() && stated.focal.is_some(), "{stated:?}");
+    rig.host().opened.push(vec![file("b.jpg", photo)]);
+    rig.settle();
+    assert_eq!(last_search(&mut rig), PhotoSearch::default());
 }
 
 #[test]
