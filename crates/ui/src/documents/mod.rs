@@ -35,7 +35,7 @@ pub use ground::{OpenedTerrain, TERRAIN_KEY};
 pub use history::History;
 pub use log_file::LogFile;
 pub use map_document::MapDocument;
-pub use map_under::with_origin;
+pub use map_under::{is_same_map, with_origin};
 pub use mission_document::MissionDocument;
 pub use noticed::Noticed;
 pub use pilotage_core::navigator::{RunFileError, decode_run, encode_run};

@@ -55,6 +55,8 @@ pub struct PhotosFeature {
     draping: Option<(JobId, usize)>,
     /// Whether its panel is shown.
     pub(super) is_shown: bool,
+    /// Whether they were laid on another map than the one that is open.
+    pub(super) are_of_another_map: bool,
 }
 
 impl PhotosFeature {
@@ -159,6 +161,7 @@ impl Feature for PhotosFeature {
         let scene = PhotosScene {
             photos: &self.state,
             has_map: documents.map.is_real() && frame.is_some(),
+            are_of_another_map: self.state.are_of_another_map(&documents.map.source),
             frame,
         };
         photos_sheet(ui, context, &scene);
@@ -208,6 +211,8 @@ impl Feature for PhotosFeature {
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
         self.is_shown = context.is_shown;
         self.lay_awaiting(context);
+        let map = &context.documents.map.source;
+        self.are_of_another_map = self.state.are_of_another_map(map);
     }
 
     fn on_shown(&mut self, context: &mut FeatureContext<'_>) {
@@ -270,7 +275,7 @@ impl Feature for PhotosFeature {
     }
 
     /// Places in degrees, deviations in metres, angles in degrees.
-    fn state(&self, _documents: &Documents) -> Value {
+    fn state(&self, documents: &Documents) -> Value {
         let photos = &self.state;
         let world = photos.sought.as_ref().and_then(|s| s.origin);
         let row = |number: usize| {
@@ -297,6 +302,7 @@ impl Feature for PhotosFeature {
             "at_work": photos.at_work.is_some(),
             "trouble": photos.trouble,
             "chosen": photos.chosen,
+            "of_another_map": photos.are_of_another_map(&documents.map.source),
             "draped": photos.draped().is_some(),
             "within": photos.search.within,
         })

@@ -10,6 +10,7 @@ use super::draped::DrapedPhoto;
 use super::feature::PhotosFeature;
 use crate::context::ViewContext;
 use crate::map::{MapLayer, ScreenFromWorld};
+use crate::shell::FADED;
 use crate::tokens::Tokens;
 
 /// Squares of the chequerboard along the longer side of a photo.
@@ -28,18 +29,19 @@ impl MapLayer for PhotosFeature {
             return;
         }
         let (photos, tokens) = (&self.state, context.tokens);
+        let opacity = if self.are_of_another_map { FADED } else { 1.0 };
         let laid = (0..photos.reports.len()).filter_map(|n| Some((n, photos.laid(n)?)));
         for (number, photo) in laid {
             if photos.chosen != Some(number) {
-                let stroke = Stroke::new(1.25, tokens.observed.gamma_multiply(0.8));
+                let stroke = Stroke::new(1.25, tokens.observed.gamma_multiply(0.8 * opacity));
                 outline(painter, view, &photo.outline, stroke, tokens);
             }
         }
         if let Some(draped) = photos.draped() {
             match photos.shown {
-                PhotoAppearance::Squares => squares(painter, view, draped),
-                PhotoAppearance::Whole(opacity) => {
-                    let tint = Color32::WHITE.gamma_multiply(opacity);
+                PhotoAppearance::Squares => squares(painter, view, draped, opacity),
+                PhotoAppearance::Whole(shown) => {
+                    let tint = Color32::WHITE.gamma_multiply(shown * opacity);
                     let mut mesh = Mesh::with_texture(draped.texture.id());
                     add(&mut mesh, view, &draped.window, [0.0, 0.0, 1.0, 1.0], tint);
                     painter.add(Shape::mesh(mesh));
@@ -48,7 +50,7 @@ impl MapLayer for PhotosFeature {
             }
         }
         if let Some(photo) = photos.chosen.and_then(|number| photos.laid(number)) {
-            let stroke = Stroke::new(2.5, tokens.accent);
+            let stroke = Stroke::new(2.5, tokens.accent.gamma_multiply(opacity));
             outline(painter, view, &photo.outline, stroke, tokens);
         }
     }
@@ -78,11 +80,12 @@ fn outline(
     painter.line_segment([points[0], points[1]], top);
 }
 
-/// Every other square of a photo.
-fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &DrapedPhoto) {
+/// Every other square of a photo, with this opacity, 0 to 1.
+fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &DrapedPhoto, opacity: f32) {
     let window = &draped.window;
     let side = window.width.max(window.height).div_ceil(SQUARES);
     let mut mesh = Mesh::with_texture(draped.texture.id());
+    let tint = Color32::WHITE.gamma_multiply(opacity);
     let part = |from: usize, size: usize| {
         let to = (from + side).min(size);
         [from, to].map(|pixel| pixel as f32 / size as f32)
@@ -93,7 +96,7 @@ fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &DrapedPhoto) {
                 let [left, right] = part(left, window.width);
                 let [top, bottom] = part(top, window.height);
                 let square = [left, top, right, bottom];
-                add(&mut mesh, view, window, square, Color32::WHITE);
+                add(&mut mesh, view, window, square, tint);
             }
         }
     }

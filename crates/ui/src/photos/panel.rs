@@ -8,7 +8,7 @@ use super::state::PhotosState;
 use super::{chosen, list, search};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{at_work, counted, heading, muted, text_button, title};
+use crate::shell::{at_work, counted, heading, muted, of_before, text_button, title};
 
 /// Draws the sheet.
 pub(super) fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
@@ -47,8 +47,12 @@ pub(super) fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &P
             }
             ui.add_space(0.5 * tokens.space);
             heading(ui, tokens, &summary(photos));
-            list::list(ui, context, photos);
-            chosen::chosen(ui, context, scene);
+            let words = "Of another map than the one that is open: lay them again to see where they lie on this one.";
+            let words = scene.are_of_another_map.then_some(words);
+            of_before(ui, tokens, words, |ui| {
+                list::list(ui, context, photos);
+                chosen::chosen(ui, context, scene);
+            });
         });
 }
 
@@ -59,7 +63,8 @@ fn begin(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
     ui.horizontal_wrapped(|ui| {
         if count > 0 && scene.has_map && photos.at_work.is_none() {
             let is_new = photos.searched.is_none();
-            let is_changed = photos.searched.is_some_and(|s| s != photos.search);
+            let is_changed =
+                photos.searched.is_some_and(|s| s != photos.search) || scene.are_of_another_map;
             let words = match (is_new, count) {
                 (true, 1) => "Lay the photo".to_owned(),
                 (true, _) => format!("Lay {count} photos"),

@@ -13,6 +13,8 @@ pub(super) struct PhotosScene<'a> {
     pub frame: Option<pilotage_core::frames::LocalFrame>,
     /// Whether there is a map.
     pub has_map: bool,
+    /// Whether the photos were laid on another one than that.
+    pub are_of_another_map: bool,
 }
 
 /// Asks for something about photos.

@@ -6,6 +6,7 @@ use pilotage_core::registration::Draped;
 use pilotage_jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
 
 use super::draped::DrapedPhoto;
+use crate::documents::is_same_map;
 
 /// Appearance of the chosen photo over the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -184,6 +185,12 @@ impl PhotosState {
     pub fn draped(&self) -> Option<&DrapedPhoto> {
         let (number, draped) = self.draped.as_ref()?;
         (Some(*number) == self.chosen).then_some(draped)
+    }
+
+    /// Whether they were laid on another map than `map`.
+    pub fn are_of_another_map(&self, map: &MapSource) -> bool {
+        let laid = self.sought.as_ref().filter(|_| self.searched.is_some());
+        laid.is_some_and(|sought| !is_same_map(&sought.map, map))
     }
 
     /// Whether they lie in the world around `origin`.

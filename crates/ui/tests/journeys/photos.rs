@@ -283,6 +283,30 @@ fn a_fact_about_photos_does_not_count_for_those_that_are_opened_next() {
 }
 
 #[test]
+fn photos_that_were_laid_on_another_map_say_so() {
+    const OF_ANOTHER: &str = "Of another map";
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    let mut files = map(&ground);
+    files.push(file("a.jpg", photo(&ground, (120, 100), [9.0, -7.0])));
+    rig.host().opened.push(files);
+    rig.settle();
+    assert_eq!(rig.state()["photos"]["of_another_map"], false);
+    assert!(rig.harness.query_by_label_contains(OF_ANOTHER).is_none());
+    // Another map of the same place.
+    rig.host().opened.push(map(&town(MAP.0, MAP.1, 8)));
+    rig.settle();
+    assert_eq!(rows(&mut rig).len(), 1);
+    assert_eq!(rig.state()["photos"]["of_another_map"], true);
+    rig.harness.get_by_label_contains(OF_ANOTHER);
+    rig.harness.get_by_label("Lay again").click();
+    rig.settle();
+    assert_eq!(rig.state()["photos"]["of_another_map"], false);
+    assert!(rig.harness.query_by_label_contains(OF_ANOTHER).is_none());
+}
+
+#[test]
 fn a_known_height_has_the_same_limits_in_feet() {
     let mut rig = rig();
     rig.host().really_open = true;
