@@ -131,7 +131,9 @@ impl App {
             }
             None => self.fly_work.stop(host),
         }
-        self.documents.begin_run_again(run, Staged::default());
+        // Nobody says over what it was flown: explanations of it are made with the map that is open, too.
+        let map = self.documents.map.source.clone();
+        self.documents.begin_run_again(run, Staged::default(), map);
         self.documents.run.is_complete = true;
         true
     }
@@ -263,9 +265,10 @@ impl App {
         fly.shown = ShownFlight::Run;
         self.tell_of_replaced(&staged, host);
         if again {
-            self.documents.begin_run_again(head, staged);
+            self.documents.begin_run_again(head, staged, map.clone());
         } else {
-            self.documents.begin_run(head, staged, &flight);
+            let flown = (&flight, map.clone());
+            self.documents.begin_run(head, staged, flown);
         }
         self.documents.keep_given(given);
         if !again {

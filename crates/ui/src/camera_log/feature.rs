@@ -48,6 +48,8 @@ pub struct CameraLogFeature {
     job: FeatureWork,
     /// Adjustment of the mission as it was set here.
     applied: Option<CameraAdjustment>,
+    /// Map on which the frames were laid by which it is being estimated.
+    estimated_on: Option<MapSource>,
     /// Whether it is to be estimated once the flight under way is over.
     is_after_flight: bool,
     /// Whether its panel is shown.
@@ -94,8 +96,17 @@ impl CameraLogFeature {
                 ..CameraPrior::default()
             },
         };
+        self.estimated_on.clone_from(&context.documents.run.over);
         let job = Job::Calibrate(Box::new(order));
         self.job.begin("Estimating".to_owned(), job, context);
+    }
+
+    /// Leaves an estimate of another map than that of the run; another one comes once the flight under way is over, unless
+    /// somebody moved the hand.
+    fn keep_to_map(&mut self, documents: &Documents) {
+        if self.work.keep_to(documents.run.over.as_ref()) {
+            self.is_after_flight |= self.work.by_hand.is_none();
+        }
     }
 
     /// Registers whole pictures on the map in another run; what is estimated from it comes at its end.
@@ -170,7 +181,7 @@ impl Feature for CameraLogFeature {
     fn on_event(&mut self, _job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
         self.job.take(&event);
         if let JobEvent::CameraCalibrated(found) = event {
-            self.work.take(*found);
+            self.work.take(*found, self.estimated_on.take());
         }
     }
 
@@ -187,6 +198,7 @@ impl Feature for CameraLogFeature {
             self.work.by_hand = None;
             self.applied = applied;
         }
+        self.keep_to_map(context.documents);
         if self.is_shown && self.refresh(context.documents) {
             context.egui.request_repaint();
         }
@@ -195,6 +207,7 @@ impl Feature for CameraLogFeature {
     /// Estimates what was asked for, and what nobody touched yet wherever its pictures allow it, so that the overview
     /// tells a lag by itself.
     fn on_run_over(&mut self, is_whole: bool, context: &mut FeatureContext<'_>) {
+        self.keep_to_map(context.documents);
         let is_asked = std::mem::take(&mut self.is_after_flight);
         let is_untouched = self.work.found.is_none() && self.work.by_hand.is_none();
         let applied = context.documents.mission.camera_to_log;

@@ -7,6 +7,7 @@ use pilotage_core::calibration::{
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::Run;
+use pilotage_jobs::MapSource;
 
 /// An estimate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +59,8 @@ pub struct CameraLog {
     flown: CameraAdjustment,
     /// The latest estimate.
     pub found: Option<FoundCamera>,
+    /// Map on which the frames of that were laid.
+    found_on: Option<MapSource>,
     /// Adjustment by hand, if it was moved.
     pub by_hand: Option<CameraAdjustment>,
     /// Standard deviation of the camera's clock before anything is known, seconds.
@@ -72,6 +75,7 @@ impl Default for CameraLog {
         Self {
             flown: CameraAdjustment::default(),
             found: None,
+            found_on: None,
             by_hand: None,
             clock: CameraPrior::default().offset,
             evidence: None,
@@ -145,12 +149,24 @@ impl CameraLog {
         back.time(flown)
     }
 
-    /// Takes an estimate, and puts the hand where it is.
-    pub fn take(&mut self, told: CameraToLog) {
+    /// Takes an estimate by frames that were laid on a map, and puts the hand where it is.
+    pub fn take(&mut self, told: CameraToLog, on: Option<MapSource>) {
+        self.found_on = on;
         let change = self.flown.then(&told.adjustment());
         let change = change.about(self.middle());
         self.found = Some(FoundCamera { told, change });
         self.by_hand = Some(change);
+    }
+
+    /// Forgets an estimate by frames that were laid on another map than those of the run, whose offset from GPS is not
+    /// that of this one; whether there was such. Where nobody moved the hand since, it is free again.
+    pub fn keep_to(&mut self, map: Option<&MapSource>) -> bool {
+        let found = self.found.filter(|_| self.found_on.as_ref() != map);
+        if let Some(found) = found {
+            self.found = None;
+            self.by_hand = self.by_hand.filter(|hand| *hand != found.change);
+        }
+        found.is_some()
     }
 
     /// Remainder of the latest estimate for the flight as it is flown now, however much of the estimate was

@@ -1,6 +1,7 @@
 //! The run of the navigator that is shown.
 
 use pilotage_core::navigator::Run;
+use pilotage_jobs::MapSource;
 
 use super::Noticed;
 
@@ -9,6 +10,8 @@ use super::Noticed;
 pub struct RunDocument {
     /// The run so far.
     pub navigated: Option<Run>,
+    /// Map over which it was flown: another one may have been opened since.
+    pub over: Option<MapSource>,
     /// Whether it is complete.
     pub is_complete: bool,
     /// Counts runs, so that caches know when another one is shown.
@@ -22,9 +25,10 @@ pub struct RunDocument {
 }
 
 impl RunDocument {
-    /// Shows a run that begins, or none.
-    pub fn show(&mut self, head: Option<Run>) {
+    /// Shows a run that begins over a map, or none.
+    pub fn show(&mut self, head: Option<Run>, over: Option<MapSource>) {
         self.navigated = head;
+        self.over = over;
         self.is_complete = false;
         self.generation += 1;
     }

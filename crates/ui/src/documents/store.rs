@@ -9,7 +9,7 @@ use pilotage_core::simulate::SimulationChoice;
 
 use super::empty_mission::empty_mission;
 use super::{Brought, FlightDocument, LogFile, MapDocument, MissionDocument, RunDocument, Session};
-use pilotage_jobs::FlightSource;
+use pilotage_jobs::{FlightSource, MapSource};
 
 /// Seconds on the ground that are seen before a take-off.
 const LEAD: f64 = 2.0;
@@ -136,17 +136,22 @@ impl Documents {
         }
     }
 
-    /// Begins a run: again of the flight that is open, so that its finished run becomes the ghost.
-    pub fn begin_run_again(&mut self, head: Run, staged: Staged) {
+    /// Begins a run over a map: again of the flight that is open, so that its finished run becomes the ghost.
+    pub fn begin_run_again(&mut self, head: Run, staged: Staged, over: MapSource) {
         self.run.haunt();
         self.take_staged(staged);
-        self.run.show(Some(head));
+        self.run.show(Some(head), Some(over));
     }
 
-    /// Begins the run of a flight, which takes the place of the flight that was open.
-    pub fn begin_run(&mut self, head: Run, staged: Staged, source: &FlightSource) {
+    /// Begins the run of a flight over a map, which takes the place of the flight that was open.
+    pub fn begin_run(
+        &mut self,
+        head: Run,
+        staged: Staged,
+        (source, over): (&FlightSource, MapSource),
+    ) {
         self.look_at(staged, source);
-        self.run.show(Some(head));
+        self.run.show(Some(head), Some(over));
     }
 
     fn take_staged(&mut self, staged: Staged) {
@@ -279,7 +284,7 @@ mod tests {
     #[test]
     fn flights_and_runs_are_counted_on_when_a_session_takes_the_place_of_what_is_open() {
         let mut documents = Documents::new(&Session::demo());
-        documents.run.show(None);
+        documents.run.show(None, None);
         documents.flight.leave();
         let counts = |it: &Documents| (it.flight.generation, it.run.generation);
         assert_eq!(counts(&documents), (1, 1));

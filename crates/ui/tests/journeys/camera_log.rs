@@ -7,6 +7,7 @@ use pilotage_jobs::{FlyOrder, Job, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
+use super::open_map::a_map;
 use super::reopen::nothing;
 use super::support::laid::{Laying, early_flight};
 use super::support::{Rig, ScriptedHost, rig, rig_on};
@@ -199,6 +200,38 @@ fn a_run_without_whole_frames_is_flown_with_them_and_then_estimated() {
     rig.settle();
     assert!(rig.state()["camera_log"]["estimate"].is_object());
     rig.harness.get_by_label("Time offset, s");
+}
+
+#[test]
+fn the_estimate_of_another_map_is_left_and_that_of_now_is_made() {
+    let estimates = |rig: &mut Rig| {
+        let jobs = &rig.host().jobs;
+        jobs.iter()
+            .filter(|(_, job)| matches!(job, Job::Calibrate(_)))
+            .count()
+    };
+    let mut rig = estimated();
+    let before = estimates(&mut rig);
+    assert!(rig.state()["camera_log"]["estimate"].is_object());
+    rig.host().opens = Some(a_map(None));
+    rig.host().opened.push(vec![OpenedFile {
+        path: "county.tif".to_owned(),
+        content: vec![1, 2, 3].into(),
+    }]);
+    rig.settle();
+    // The run is still the one over the map of before.
+    assert!(rig.state()["camera_log"]["estimate"].is_object());
+    rig.host().left = Some(|job| matches!(job, Job::Calibrate(_)));
+    rig.key(Key::R);
+    rig.settle();
+    assert!(rig.state()["camera_log"]["estimate"].is_null());
+    assert_eq!(estimates(&mut rig), before + 1);
+    let (before, after) = ("/camera_log/position_rms/0", "/camera_log/position_rms/2");
+    assert_eq!(
+        number(&rig, before),
+        number(&rig, after),
+        "the hand is free"
+    );
 }
 
 #[test]
