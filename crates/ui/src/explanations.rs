@@ -12,7 +12,7 @@ pub fn of_run<'a, T>(
     documents: &Documents,
 ) -> Option<(ExplainedStep, &'a T)> {
     let (step, answer) = found?;
-    (step.run == documents.run.generation).then_some((*step, answer))
+    (!documents.run.is_before(step.run)).then_some((*step, answer))
 }
 
 /// Questions of one kind: the one under way, and the one answered last.

@@ -25,6 +25,11 @@ pub struct RunDocument {
 }
 
 impl RunDocument {
+    /// Whether the run of a generation is no longer the one that is shown: what was found out of it is of a run before.
+    pub fn is_before(&self, generation: u64) -> bool {
+        self.generation != generation
+    }
+
     /// Shows a run that begins over a map, or none.
     pub fn show(&mut self, head: Option<Run>, over: Option<MapSource>) {
         self.navigated = head;

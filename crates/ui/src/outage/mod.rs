@@ -22,7 +22,7 @@ use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 use crate::shell::icons::Icon;
 
 use panel::outage_panel;
-use state::{ID, OutageCommand, measures_airspeed};
+use state::{ID, OutageCommand, is_of_before, measures_airspeed};
 
 pub use state::Outages;
 
@@ -71,6 +71,7 @@ impl Outages {
             outage,
             seen: seen(documents),
         };
+        self.asked_of = order.seen.as_ref().map(|_| documents.run.generation);
         let job = Job::Outage(Box::new(order));
         context.show();
         self.work.begin(words, job, context);
@@ -103,6 +104,7 @@ impl Feature for Outages {
                 let study = self.study.take();
                 *self = Self {
                     study,
+                    study_of: self.study_of,
                     ..Self::default()
                 };
             }
@@ -113,8 +115,8 @@ impl Feature for Outages {
         true
     }
 
-    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, _documents: &Documents) {
-        outage_panel(ui, context, self);
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        outage_panel(ui, context, documents, self);
     }
 
     fn layers(&self) -> Vec<&dyn MapLayer> {
@@ -124,10 +126,18 @@ impl Feature for Outages {
     fn on_event(&mut self, _job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
         self.work.take(&event);
         match event {
-            JobEvent::OutageMade(report) => self.report = Some(*report),
-            JobEvent::OutagesStudied(report) => self.study = Some(*report),
+            JobEvent::OutageMade(report) => {
+                (self.report, self.report_of) = (Some(*report), self.asked_of);
+            }
+            JobEvent::OutagesStudied(report) => {
+                (self.study, self.study_of) = (Some(*report), self.asked_of);
+            }
             _ => {}
         }
+    }
+
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        self.is_of_before = is_of_before(self.report_of, context.documents);
     }
 
     fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
@@ -154,7 +164,7 @@ impl Feature for Outages {
         *self = Self::default();
     }
 
-    fn state(&self, _documents: &Documents) -> Value {
+    fn state(&self, documents: &Documents) -> Value {
         let report = self.report.as_ref();
         let results = report.iter().flat_map(|r| &r.results).map(|result| {
             let end = result.growth.last();
@@ -181,6 +191,7 @@ impl Feature for Outages {
             return Value::Null;
         }
         json!({
+            "of_run_before": is_of_before(self.report_of, documents),
             "span": report.map(|r| [r.span.0, r.span.1]),
             "results": results.collect::<Vec<_>>(),
             "remarks": report.map(|r| r.remarks.iter().map(|it| in_log_time(it)).collect::<Vec<_>>()),

@@ -7,6 +7,7 @@ use super::chart::colour;
 use super::state::Outages;
 use crate::context::ViewContext;
 use crate::map::{MapLayer, ScreenFromWorld};
+use crate::shell::FADED;
 
 impl MapLayer for Outages {
     /// Draws the ways through the outage, each with a dot where it is at the time cursor.
@@ -20,7 +21,8 @@ impl MapLayer for Outages {
         let Some(outage) = &self.report else { return };
         let (tokens, now) = (context.tokens, context.time);
         for (number, result) in outage.results.iter().enumerate() {
-            let colour = colour(tokens, number);
+            let opacity = if self.is_of_before { FADED } else { 1.0 };
+            let colour = colour(tokens, number).gamma_multiply(opacity);
             let at = |p: &[f64; 3]| view.apply(&GroundPoint::new(p[1], p[2]));
             let line: Vec<Pos2> = result.places.iter().map(at).collect();
             painter.add(Shape::line(line, Stroke::new(2.0, colour)));

@@ -5,10 +5,11 @@ use egui::{RichText, Stroke, Ui, vec2};
 use pilotage_core::flight::with_moments;
 
 use super::chart::{colour, growth_chart};
-use super::state::{OutageCommand, Outages, measures_airspeed};
+use super::state::{OutageCommand, Outages, is_of_before, measures_airspeed};
 use super::wind::winds;
 use crate::context::ViewContext;
-use crate::shell::{at_work, counted, text_button, whole_sentences};
+use crate::documents::Documents;
+use crate::shell::{at_work, counted, of_before, text_button, whole_sentences};
 use crate::units::clock;
 use crate::views::{parts, table};
 use pilotage_jobs::{OutageReport, StudyReport};
@@ -21,8 +22,16 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
+/// Words for results that go on with positions of a run before.
+const OF_BEFORE: &str = "Of the run before: the flight has been flown again since, and its pictures may tell other places.";
+
 /// Draws the view of an outage.
-pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
+pub fn outage_panel(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    documents: &Documents,
+    outages: &Outages,
+) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
     let has_airspeed = context.flight.is_some_and(measures_airspeed);
@@ -52,9 +61,14 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outage
         wrapped(ui, tokens.warning, &sentence);
     }
     if let Some(report) = &outages.report {
-        one_outage(ui, context, report);
+        let words = is_of_before(outages.report_of, documents).then_some(OF_BEFORE);
+        of_before(ui, tokens, words, |ui| one_outage(ui, context, report));
     }
     study(ui, context, outages);
+    if let Some(report) = &outages.study {
+        let words = is_of_before(outages.study_of, documents).then_some(OF_BEFORE);
+        of_before(ui, tokens, words, |ui| studied(ui, context, report));
+    }
     if let Some(report) = outages.report.as_ref().and_then(|r| r.winds.as_ref()) {
         winds(ui, context, report);
     }
@@ -177,7 +191,7 @@ fn error_text(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Outages all along the flight.
+/// Choice of outages all along the flight.
 fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.add_space(tokens.space);
@@ -196,9 +210,12 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
             }
         }
     });
-    let Some(StudyReport { studies, .. }) = &outages.study else {
-        return;
-    };
+}
+
+/// Numbers of outages all along the flight.
+fn studied(ui: &mut Ui, context: &ViewContext<'_>, report: &StudyReport) {
+    let tokens = context.tokens;
+    let studies = &report.studies;
     let count = studies.first().map_or(0, |s| s.outages.len());
     let (factor, unit) = context.units.length();
     let small = |text: &str| {

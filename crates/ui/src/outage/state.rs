@@ -4,6 +4,7 @@ use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_jobs::{OutageReport, StudyReport};
 
 use crate::command::Command;
+use crate::documents::Documents;
 use crate::feature::FeatureWork;
 use crate::feature_command::{FeatureCommand, FeatureId};
 
@@ -38,10 +39,23 @@ impl From<OutageCommand> for Command {
 pub struct Outages {
     /// The outage that is shown.
     pub report: Option<OutageReport>,
+    /// Generation of the run whose positions it goes on with, if it goes on with any.
+    pub report_of: Option<u64>,
     /// Outages all along the flight.
     pub study: Option<StudyReport>,
+    /// The same of them.
+    pub study_of: Option<u64>,
+    /// The same of what is being computed.
+    pub asked_of: Option<u64>,
+    /// Whether the outage goes on with positions of a run before.
+    pub is_of_before: bool,
     /// Computation of either.
     pub work: FeatureWork,
+}
+
+/// Whether the run of a generation, with whose positions a result goes on, has been flown again since.
+pub(super) fn is_of_before(of: Option<u64>, documents: &Documents) -> bool {
+    of.is_some_and(|generation| documents.run.is_before(generation))
 }
 
 /// Whether a flight goes on by its airspeed after an outage.

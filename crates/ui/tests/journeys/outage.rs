@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::Job;
+use pilotage_jobs::{AidedResult, Job, JobEvent, OutageReport};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -182,6 +182,39 @@ fn what_the_run_saw_of_landmarks_is_a_way_through_an_outage() {
     let (label, fixes) = order.expect("an outage").seen.clone().expect("landmarks");
     assert_eq!(label, "Airspeed, wind, landmarks");
     assert!(fixes.len() > 3, "{}", fixes.len());
+}
+
+#[test]
+fn a_cut_with_landmarks_of_the_run_before_says_so() {
+    const OF_BEFORE: &str = "Of the run before";
+    let mut rig = rig();
+    rig.settle();
+    rig.open_tab("GPS outage");
+    rig.harness.get_by_label("Cut 30 s from here").click();
+    rig.frames(3);
+    let jobs = &rig.host().jobs;
+    let cut = jobs.iter().find(|(_, job)| matches!(job, Job::Outage(_)));
+    let (job, _) = cut.expect("a cut");
+    let report = OutageReport {
+        span: (1.0, 31.0),
+        results: vec![AidedResult {
+            label: "Airspeed, wind, landmarks".to_owned(),
+            growth: Vec::new(),
+            places: Vec::new(),
+        }],
+        remarks: Vec::new(),
+        winds: None,
+    };
+    let events = [JobEvent::OutageMade(Box::new(report)), JobEvent::Finished];
+    let events = events.map(|event| (*job, event));
+    rig.host().events.extend(events);
+    rig.frames(3);
+    assert_eq!(rig.state()["outage"]["of_run_before"], false);
+    assert!(rig.harness.query_by_label_contains(OF_BEFORE).is_none());
+    rig.key(egui::Key::R);
+    rig.settle();
+    assert_eq!(rig.state()["outage"]["of_run_before"], true);
+    rig.harness.get_by_label_contains(OF_BEFORE);
 }
 
 #[test]
