@@ -238,6 +238,16 @@ impl Georeferencer {
         self.fit();
     }
 
+    /// Whether it has the name and the size of another picture, as far as they are known.
+    pub fn looks_like(&self, other: &Self) -> bool {
+        self.name == other.name && self.size.is_some() && self.size == other.size
+    }
+
+    /// Whether points were picked in it, or taken back.
+    pub fn has_begun(&self) -> bool {
+        self.pending != Pending::default() || self.depth() != (0, 0)
+    }
+
     /// Takes the points, and the kind of fit, that the picture had when it was left, one undo step.
     pub fn take_up(&mut self, before: Self) {
         self.kind = before.kind;

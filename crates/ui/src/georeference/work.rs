@@ -40,7 +40,9 @@ pub struct GeoreferencerFeature {
     places: Option<(JobId, Vec<OpenedFile>)>,
     /// Paths of files that hold no places and are opened as anything else.
     without_places: Vec<String>,
-    /// Pictures with points that were left, by name: once opened again they have those.
+    /// Whether it has the name of one that was left, and its size is to tell whether it is that.
+    awaits_size: bool,
+    /// Pictures with points that were left: once one of that name and size is opened again, it has those.
     left: Vec<Georeferencer>,
 }
 
@@ -54,24 +56,18 @@ impl GeoreferencerFeature {
     ) {
         self.close(context);
         let origin = context.documents.world_origin();
-        let mut picture = Georeferencer::new(&set.key, &unplaced.name, origin);
+        let picture = Georeferencer::new(&set.key, &unplaced.name, origin);
         let order = DescribeMapOrder(picture.bare());
         self.describe = Some(context.start(Job::DescribeMap(order)));
         self.files = Some(set.clone());
-        let before = self.left.iter().position(|left| left.name == picture.name);
-        let before = before.map(|at| self.left.swap_remove(at));
         let has_points = unplaced.points.is_some();
+        let may_be_left = |left: &Georeferencer| left.name == picture.name;
         if let Some(file) = unplaced.points {
             self.ask_for_points(set, file, picture.presumed_system(), context);
-        } else if let Some(before) = before {
-            let title = format!("{} has its points of before", unplaced.name);
-            context.note(&title, "Undo takes them away.");
-            picture.take_up(before);
+        } else if self.left.iter().any(may_be_left) {
+            self.awaits_size = true;
         } else {
-            let text = "Click places that you know in the picture and on the map. Its world file \
-                beside it would do as well.";
-            let title = format!("{} does not say where it lies", unplaced.name);
-            context.note(&title, text);
+            say_unplaced(&picture.name, context);
         }
         self.picture = Some(picture);
         context.playback.playing = false;
@@ -82,6 +78,26 @@ impl GeoreferencerFeature {
         if !has_points {
             self.show_points(context);
         }
+    }
+
+    /// Gives the picture, whose size is known now, the points that it had when it was left. Others have its name, as those
+    /// of another folder: only one of the same size is taken for it.
+    fn take_up_left(&mut self, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &mut self.picture else {
+            return;
+        };
+        if !std::mem::take(&mut self.awaits_size) || picture.has_begun() {
+            return;
+        }
+        let before = self.left.iter().position(|left| left.looks_like(picture));
+        let Some(before) = before.map(|at| self.left.swap_remove(at)) else {
+            return say_unplaced(&picture.name, context);
+        };
+        let title = format!("{} has its points of before", picture.name);
+        let text = "It has the name and the size of a picture that was left. Undo takes them away.";
+        context.note(&title, text);
+        picture.take_up(before);
+        self.show_points(context);
     }
 
     /// Asks for the control points in a file; `otherwise` is their system where the file names none.
@@ -144,7 +160,7 @@ impl GeoreferencerFeature {
         } = std::mem::take(self);
         if let Some(mut picture) = picture.filter(|picture| !picture.points.is_empty()) {
             picture.canvas = PictureCanvas::default();
-            left.retain(|other| other.name != picture.name);
+            left.retain(|other| !other.looks_like(&picture));
             left.push(picture);
         }
         self.left = left;
@@ -199,6 +215,7 @@ impl GeoreferencerFeature {
             }
             JobEvent::MapInfo(info) => {
                 picture.describe(&info);
+                self.take_up_left(context);
                 context.egui.request_repaint();
             }
             JobEvent::ControlPoints(read) => self.take_points(*read, context),
@@ -330,4 +347,11 @@ impl GeoreferencerFeature {
         context.document_changed();
         context.note("The picture is the map now", text);
     }
+}
+
+/// Says what is to be done about a picture without points.
+fn say_unplaced(name: &str, context: &mut FeatureContext<'_>) {
+    let text = "Click places that you know in the picture and on the map. Its world file beside it would do as well.";
+    let title = format!("{name} does not say where it lies");
+    context.note(&title, text);
 }

@@ -1,6 +1,9 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{Job, JobEvent, JobId, OpenedFiles, ReadControlPoints, Unplaced};
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_jobs::{
+    Job, JobEvent, JobId, MapInfo, MapSource, OpenedFiles, ReadControlPoints, Unplaced,
+};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -106,6 +109,43 @@ fn a_picture_without_a_place_is_put_on_the_ground_by_clicks() {
     assert_eq!(rig.state()["georeferencer"]["points"], 4);
     rig.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(rig.state()["georeferencer"]["points"], 0);
+}
+
+#[test]
+fn another_picture_of_the_same_name_does_not_have_the_points_of_the_one_that_was_left() {
+    let mut rig = rig_with_a_picture();
+    pick(&mut rig, &PLACES);
+    rig.harness.get_by_label("Close").click();
+    rig.frames(3);
+    rig.host().left = Some(|job| matches!(job, Job::DescribeMap(_)));
+    open(&mut rig, "photo.png", vec![2]);
+    rig.frames(6);
+    let is_of_picture = |job: &Job| {
+        let of = |map: &MapSource| matches!(map, MapSource::Picture { .. });
+        matches!(job, Job::DescribeMap(order) if of(&order.0))
+    };
+    let mut jobs = rig.host().jobs.iter().rev();
+    let describe = jobs.find(|(_, job)| is_of_picture(job)).unwrap().0;
+    let info = MapInfo {
+        name: "photo.png".into(),
+        bounds: GroundRect::centered(GroundPoint::new(0.0, 0.0), 200.0, 800.0),
+        native_gsd: 1.0,
+        is_coarse_cheap: true,
+        origin: None,
+        attribution: None,
+    };
+    let events = [JobEvent::MapInfo(info), JobEvent::Finished];
+    let events = events.map(|event| (describe, event));
+    rig.host().events.extend(events);
+    rig.frames(3);
+    assert_eq!(rig.state()["georeferencer"]["points"], 0);
+    rig.harness.get_by_label("Close").click();
+    rig.frames(3);
+    // The same picture again still has them.
+    rig.host().left = None;
+    open(&mut rig, "photo.png", vec![1]);
+    rig.frames(6);
+    assert_eq!(rig.state()["georeferencer"]["points"], 4);
 }
 
 #[test]
