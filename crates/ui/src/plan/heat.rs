@@ -5,7 +5,7 @@ use pilotage_core::plan::Localizability;
 
 use crate::feature::FeatureContext;
 use crate::views::color_map::viridis;
-use pilotage_jobs::{FieldOrder, Job, JobEvent, JobId};
+use pilotage_jobs::{FieldOrder, Job, JobEvent, JobId, MapSource};
 
 /// A place where a fix is less likely than this is blind.
 pub const BLIND: f64 = 0.2;
@@ -77,6 +77,16 @@ impl Heat {
     pub fn stop(&mut self, stopped: bool) {
         self.stopped = stopped;
         self.complete &= stopped;
+    }
+
+    /// Forgets the field of another map than `map`: its places mean nothing on this one, and neither does its time.
+    pub fn keep_to(&mut self, map: &MapSource, context: &mut FeatureContext<'_>) {
+        let wanted = self.wanted.as_ref().map(|(wanted, _)| wanted);
+        let mut orders = self.order().into_iter().chain(wanted);
+        if orders.any(|order| order.map != *map) {
+            self.cancel(context);
+            *self = Self::default();
+        }
     }
 
     /// Asks for what is missing; true if time must pass first.

@@ -116,12 +116,13 @@ impl Planner {
         }
         let heat = self.heat_order(context.documents);
         let blind = self.preferences.heat.blind;
+        let map = context.documents.map.source.clone();
+        self.heat.keep_to(&map, context);
         let mut waits = self.heat.work(heat, blind, context);
         self.finder.keep_to_mission(context);
         let asks = self.finder.asks();
         let question = asks.then(|| self.find_question(context.documents));
         self.finder.work(question.flatten(), context);
-        let map = context.documents.map.source.clone();
         self.suggestions.keep_to(&map, context);
         let asks = self.suggestions.asks();
         let order = asks.then(|| self.suggest_order(context.documents));

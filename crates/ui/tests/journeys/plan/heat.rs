@@ -2,8 +2,10 @@ use egui::Key;
 use egui_kittest::kittest::Queryable as _;
 
 use pilotage_jobs::{Job, JobEvent};
+use pilotage_ui::host::OpenedFile;
 
 use super::{number, planning, type_number};
+use crate::open_map::a_map;
 
 #[test]
 fn the_heat_map_is_shown_by_its_key_and_tells_how_much_of_the_map_is_blind() {
@@ -56,6 +58,24 @@ fn another_uncertainty_is_computed_anew_and_so_are_fixes_from_the_map_alone() {
     rig.settle();
     assert_eq!(fields(&rig), 3);
     rig.harness.get_by_label_contains("map alone, 0 to 1");
+}
+
+#[test]
+fn the_heat_map_of_another_map_is_not_left_on_the_one_that_is_opened() {
+    let mut rig = planning();
+    rig.key(Key::H);
+    rig.settle();
+    assert_eq!(number(&rig, "/heat/known"), 1.0);
+    rig.host().left = Some(|job| matches!(job, Job::Field(_)));
+    rig.host().opens = Some(a_map(None));
+    rig.host().opened.push(vec![OpenedFile {
+        path: "county.tif".into(),
+        content: vec![1, 2, 3].into(),
+    }]);
+    rig.settle();
+    let heat = rig.state()["plan"]["heat"].clone();
+    assert!(heat["known"].is_null(), "{heat}");
+    assert_eq!(heat["complete"], false);
 }
 
 #[test]
