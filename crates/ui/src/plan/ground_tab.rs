@@ -134,7 +134,7 @@ fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         ui.label(muted(
             tokens,
             format!(
-                "No landmark in view over {:.0} % of the map from {:.0} {unit} above ground.",
+                "A fix is less likely than {BLIND:.1} over {:.0} % of the map, from {:.0} {unit} above ground.",
                 100.0 * share,
                 order.view.height * factor
             ),

@@ -18,7 +18,7 @@ fn the_heat_map_is_shown_by_its_key_and_tells_how_much_of_the_map_is_blind() {
     rig.harness
         .get_by_label_contains("Legend: Probability of a fix");
     rig.harness
-        .get_by_label_contains("No landmark in view over 50 % of the map");
+        .get_by_label_contains("A fix is less likely than 0.2 over 50 % of the map");
     rig.harness.get_by_label("Blind areas only").click();
     rig.settle();
     assert_eq!(rig.state()["plan"]["heat"]["blind"], true);
@@ -58,6 +58,11 @@ fn another_uncertainty_is_computed_anew_and_so_are_fixes_from_the_map_alone() {
     rig.settle();
     assert_eq!(fields(&rig), 3);
     rig.harness.get_by_label_contains("map alone, 0 to 1");
+    // No landmark is asked of the map alone.
+    rig.harness
+        .get_by_label_contains("A fix is less likely than 0.2");
+    let of_landmarks = rig.harness.query_by_label_contains("No landmark in view");
+    assert!(of_landmarks.is_none());
 }
 
 #[test]
