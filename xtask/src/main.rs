@@ -22,6 +22,8 @@ cargo xtask serve [--port N] [--profile web-quick|web] [--no-build] [--dist FOLD
     builds the page and serves it on this machine (port 8080; 0 takes a free one)
 cargo xtask dist [--dist FOLDER]
     packs the page into a folder that any file server can host, and prints its sizes
+cargo xtask format
+    formats every Rust file, also those that `cargo fmt` does not find because a table declares them
 cargo xtask first-seconds
     stores anew what the page shows first, once the program computes something else
 cargo xtask test [--quick] [--studies] [--changed] [--base REV] [--only WORD]
@@ -74,6 +76,11 @@ fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
                 studies,
                 reach,
             })
+        }
+        Some("format") => {
+            arguments.finish()?;
+            test::format_all()?;
+            Ok(ExitCode::SUCCESS)
         }
         Some("first-seconds") => {
             arguments.finish()?;

@@ -28,8 +28,8 @@ use crate::{
     process::is_automatic,
 };
 pub use changed::{Reach, reach};
-pub use native::store_first_seconds;
 use native::{Extent, Packages};
+pub use native::{format_all, store_first_seconds};
 use program::CheckProgram;
 use programs::Outcomes;
 use table::Table;

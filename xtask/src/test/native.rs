@@ -89,28 +89,64 @@ impl Packages {
     }
 }
 
-/// Folders whose modules a macro declares, so that `cargo fmt` does not find them.
-const DECLARED_BY_MACROS: [&str; 2] = [
+/// Folders of which a macro declares modules, so that `cargo fmt` does not find them.
+const DECLARED_BY_MACROS: [&str; 9] = [
+    "crates/core/estimation/src/estimator",
+    "crates/core/mission/src/exchange",
     "crates/core/navigator/src/navigator/aids",
+    "crates/core/readers/src/log",
+    "crates/core/simulate/src/simulate",
+    "crates/jobs/src",
+    "crates/lessons/src/lessons",
+    "crates/ui/src",
     "crates/ui/src/learn/lessons",
 ];
 
-/// The files of those folders.
+/// Files of those folders, and the own files of folders in them, that no line `mod name;` declares.
 fn declared_by_macros() -> Result<Vec<PathBuf>, Failure> {
     let mut paths = Vec::new();
     for folder in DECLARED_BY_MACROS {
         let folder = root().join(folder);
-        let files = fs::read_dir(&folder).map_err(Failure::file(&folder))?;
-        paths.extend(files.flatten().map(|file| file.path()));
+        let own = ["mod.rs", "lib.rs"].map(|own| folder.join(own));
+        let declared: String = own
+            .iter()
+            .filter_map(|own| fs::read_to_string(own).ok())
+            .collect();
+        let entries = fs::read_dir(&folder).map_err(Failure::file(&folder))?;
+        let modules = entries.flatten().filter_map(|entry| {
+            let path = entry.path();
+            let name = path.file_stem()?.to_str()?;
+            let is_declared = declared.contains(&format!("mod {name};")) || own.contains(&path);
+            let file = if path.is_dir() {
+                path.join("mod.rs")
+            } else {
+                path
+            };
+            let is_rust = file.extension().is_some_and(|ending| ending == "rs");
+            (!is_declared && is_rust && file.exists()).then_some(file)
+        });
+        paths.extend(modules);
     }
     Ok(paths)
 }
 
-/// `cargo fmt` would change nothing.
+/// `cargo fmt` would change nothing, nor where macros declare the files.
 pub fn format() -> Result<(), Failure> {
+    run_rustfmt(&["--check"])
+}
+
+/// Formats every Rust file.
+pub fn format_all() -> Result<(), Failure> {
+    run_rustfmt(&[])
+}
+
+fn run_rustfmt(options: &[&str]) -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
-    let mut check = cargo(&["fmt", "--all", "--check", "--"]);
-    run(check.args(declared_by_macros()?), CARGO_ADVICE)
+    let mut format = cargo(&["fmt", "--all", "--"]);
+    run(
+        format.args(options).args(declared_by_macros()?),
+        CARGO_ADVICE,
+    )
 }
 
 /// No lint has anything to say about anything built natively. Where nobody sits at the terminal, what the tests are
