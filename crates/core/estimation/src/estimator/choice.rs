@@ -1,18 +1,25 @@
-//! All estimators. Another one is a file with its `INFO` and its `Estimator`, its module, and a line in the list below.
+//! The choice of an estimator, and what is asked of the table of them in `mod.rs`.
 
 use serde::{Deserialize, Serialize};
 
-use super::kind::{Estimator, EstimatorInfo, EstimatorVisitor, FilterSettings};
-use super::{extended, particles, unscented};
-use crate::filter::{Ekf, FilterError, Gaussian, ParticleFilter, ParticleSettings, Ukf};
+use super::EstimatorChoice;
+use crate::filter::ParticleSettings;
 
-/// Makes the enum of estimators, and passes every question about a choice on to its file.
+/// Declares the files of the estimators, makes their enum, and passes every question about a choice on to its file.
 macro_rules! estimators {
-    ($($(#[$about:meta])* $name:ident($file:ident, $estimator:ident),)*) => {
+    ($($(#[$about:meta])* $name:ident($file:ident, $($estimator:ident)::+),)*) => {
+        $(mod $file;)*
+
         /// The estimators that work on the vehicle models.
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[derive(
+            Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize,
+        )]
         pub enum EstimatorChoice {
-            $($(#[$about])* $name,)*
+            $(
+                $(#[$about])*
+                #[doc = concat!("See `", stringify!($file), "`.")]
+                $name,
+            )*
         }
 
         impl EstimatorChoice {
@@ -28,26 +35,16 @@ macro_rules! estimators {
             /// Begins with the belief `prior`, and lets `visitor` work with the estimator.
             pub fn begin<const N: usize, V: EstimatorVisitor<N>>(
                 self,
-                prior: &Gaussian<N>,
+                prior: &crate::filter::Gaussian<N>,
                 settings: &FilterSettings,
                 visitor: V,
-            ) -> Result<V::Output, FilterError> {
+            ) -> Result<V::Output, crate::filter::FilterError> {
                 Ok(match self {
-                    $(Self::$name => visitor.visit($estimator::begin(prior, settings)?),)*
+                    $(Self::$name => visitor.visit($($estimator)::+::begin(prior, settings)?),)*
                 })
             }
         }
     };
-}
-
-estimators! {
-    /// The unscented Kalman filter (DeAngelo 2016, Table 3).
-    #[default]
-    Unscented(unscented, Ukf),
-    /// The extended Kalman filter.
-    Extended(extended, Ekf),
-    /// The regularised particle filter.
-    Particles(particles, ParticleFilter),
 }
 
 impl EstimatorChoice {
