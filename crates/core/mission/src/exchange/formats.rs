@@ -1,19 +1,22 @@
-//! All formats in one table: a new one is a file with its description and its work, its module, and a line here.
+//! Questions of people and programs to a format; the table of all is in `mod.rs`.
 
-use serde::{Deserialize, Serialize};
+use super::Format;
+use super::format_info::HeldBeside;
 
-use super::format_info::{FormatInfo, HeldBeside};
-use super::format_work::FormatWork;
-use super::{csv_write, geojson, gpx, kml, litchi, old_mission, waypoints, wpml_format};
-
-/// Makes the enum of formats, in the order in which people are offered them. Descriptions and works are asked for apart:
-/// what only names formats links no reader.
+/// Declares the files of the formats, and makes their enum, in the order in which people are offered them. Descriptions
+/// and works are asked for apart: what only names formats links no reader.
 macro_rules! formats {
-    ($($(#[$about:meta])* $name:ident($info:expr, $work:expr),)*) => {
+    ($($(#[$about:meta])* $name:ident($file:ident),)*) => {
+        $(mod $file;)*
+
         /// A format of files with routes or landmarks.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
         pub enum Format {
-            $($(#[$about])* $name,)*
+            $(
+                $(#[$about])*
+                #[doc = concat!("See `", stringify!($file), "`.")]
+                $name,
+            )*
         }
 
         impl Format {
@@ -23,41 +26,20 @@ macro_rules! formats {
             }
 
             /// Its description.
-            fn info(self) -> &'static FormatInfo {
+            fn info(self) -> &'static format_info::FormatInfo {
                 match self {
-                    $(Self::$name => &$info,)*
+                    $(Self::$name => &$file::INFO,)*
                 }
             }
 
             /// Its reader and writers.
-            pub(super) fn work(self) -> &'static FormatWork {
+            fn work(self) -> &'static format_work::FormatWork {
                 match self {
-                    $(Self::$name => &$work,)*
+                    $(Self::$name => &$file::WORK,)*
                 }
             }
         }
     };
-}
-
-formats! {
-    /// `QGroundControl`'s plan, JSON.
-    Plan(old_mission::INFO, old_mission::WORK),
-    /// `QGC WPL 110`, the plain text of way-points.
-    Waypoints(waypoints::INFO, waypoints::WORK),
-    /// Keyhole markup, XML.
-    Kml(kml::KML, kml::KML_WORK),
-    /// Zipped KML.
-    Kmz(kml::KMZ, kml::KMZ_WORK),
-    /// DJI's way-point mission, WPML in a KMZ.
-    Wpml(wpml_format::INFO, wpml_format::WORK),
-    /// Litchi's table of way-points.
-    Litchi(litchi::INFO, litchi::WORK),
-    /// GPS exchange, XML.
-    Gpx(gpx::INFO, gpx::WORK),
-    /// GeoJSON, ours or others'.
-    GeoJson(geojson::INFO, geojson::WORK),
-    /// Tables with a header.
-    Csv(csv_write::INFO, csv_write::WORK),
 }
 
 /// Extensions under which nothing is written: what is in such files is written as another format.

@@ -4,6 +4,9 @@
 //! and we do not know is kept in the properties of routes, way-points and landmarks and written
 //! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
 
+#[macro_use]
+mod formats;
+
 mod air_altitudes;
 mod angle;
 mod complex;
@@ -18,7 +21,6 @@ mod csv_read;
 mod csv_system;
 mod csv_table;
 mod csv_utm;
-mod csv_write;
 mod decoded_text;
 mod embedded;
 mod error;
@@ -30,15 +32,11 @@ mod flown_track;
 mod format_info;
 mod format_of_file;
 mod format_work;
-mod formats;
 mod found;
-mod geojson;
-mod gpx;
 mod ground_overlay;
 mod inav;
 mod item;
 mod item_route;
-mod kml;
 mod kml_data;
 mod kml_elements;
 mod kml_links;
@@ -48,10 +46,8 @@ mod kml_read;
 mod kml_write;
 mod kmz;
 pub mod labels;
-mod litchi;
 mod litchi_actions;
 mod little_navmap;
-mod old_mission;
 mod places;
 mod plan;
 mod plan_firmware;
@@ -67,9 +63,7 @@ mod shadow;
 mod speed_command;
 #[cfg(test)]
 mod tests;
-mod waypoints;
 mod wpml;
-mod wpml_format;
 mod write;
 mod written;
 mod xml;
@@ -77,9 +71,30 @@ mod xml;
 pub use error::ExchangeError;
 pub use flown::write_flown;
 pub use flown_track::{FlownPoint, FlownTrack, FlownValues};
-pub use formats::Format;
 pub use ground_overlay::{GroundOverlay, GroundOverlays, ground_overlays};
 pub use places::Places;
 pub use read::{Imported, read_any};
 pub use write::{write_landmarks, write_places, write_route};
 pub use written::WrittenFile;
+
+// All formats: another one is a file of this folder with its `INFO` and its `WORK`, and a line here.
+formats! {
+    /// `QGroundControl`'s plan, JSON.
+    Plan(old_mission),
+    /// `QGC WPL 110`, the plain text of way-points.
+    Waypoints(waypoints),
+    /// Keyhole markup, XML.
+    Kml(kml),
+    /// Zipped KML.
+    Kmz(kmz_format),
+    /// DJI's way-point mission, WPML in a KMZ.
+    Wpml(wpml_format),
+    /// Litchi's table of way-points.
+    Litchi(litchi),
+    /// GPS exchange, XML.
+    Gpx(gpx),
+    /// GeoJSON, ours or others'.
+    GeoJson(geojson),
+    /// Tables with a header.
+    Csv(csv_write),
+}

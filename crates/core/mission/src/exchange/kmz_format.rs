@@ -1,0 +1,34 @@
+//! The format KMZ: KML, zipped.
+
+use super::format_info::{FormatInfo, HeldBeside};
+use super::format_work::{FormatWork, Read, TrackWork};
+use super::kml::UNDATED;
+use super::kml_write::{pack, write};
+use super::written::WrittenFile;
+use super::{flown_kml, kml_read};
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    name: "KMZ",
+    as_words: "KMZ",
+    extensions: &["kmz"],
+    is_told_by_extension: true,
+    begins: None,
+    is_mission: false,
+    holds_tracks: true,
+    beside: HeldBeside::AreasAndRally,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    read: Read::Bytes(kml_read::read_packed),
+    write: |places, frame| {
+        let (text, notes) = write(places, frame);
+        let bytes = pack(&text)?;
+        Ok(WrittenFile { bytes, notes })
+    },
+    track: Some(TrackWork {
+        write: |track| pack(&flown_kml::write(track)),
+        undated: Some(UNDATED),
+    }),
+};
