@@ -5,14 +5,14 @@
 //! log takes hardly more memory than its file. What the fields mean for navigation is said one folder
 //! up.
 
-mod column;
-mod dataflash;
+#[macro_use]
 mod format;
+
+mod column;
 mod formats;
 mod gps_time;
 mod growing;
 mod layout;
-mod mcap;
 mod model;
 mod outline;
 mod px4_modes;
@@ -26,17 +26,14 @@ mod set_parameters;
 mod stepping;
 #[cfg(test)]
 mod testing;
-mod tlog;
 mod topic;
 mod topic_words;
-mod ulog;
 mod vehicles;
 mod whole;
 mod wrong_times;
 
 pub use column::{Cells, Column};
-pub use format::LogFormat;
-pub use formats::{HEAD, all_formats, recognise};
+pub use formats::{HEAD, recognise};
 pub use layout::{FieldKind, FieldLayout};
 pub use model::{DefaultValue, Fact, Log, LogMessage, ModeChange, Parameter};
 pub use outline::{FieldOutline, LogOutline, TopicOutline};
@@ -49,3 +46,16 @@ pub use topic::{Topic, TopicName};
 pub(crate) use topic_words::{TopicSubject, first_word, subject};
 pub(crate) use vehicles::{is_component, system_of};
 pub use whole::read_log;
+
+// All formats: another one is a file or folder of this one with its `INFO` and its `MEANING`, and a line here.
+log_formats! {
+    dataflash {
+        /// `ArduPilot`'s dataflash log, binary.
+        Dataflash("ArduPilot dataflash", ".bin", BINARY),
+        /// `ArduPilot`'s dataflash log as text.
+        DataflashText("ArduPilot dataflash, text", ".log", TEXT),
+    }
+    ulog { Ulog("PX4 ULog", ".ulg", INFO), }
+    mcap { Mcap("MCAP", ".mcap", INFO), }
+    tlog { Tlog("MAVLink telemetry log", ".tlog", INFO), }
+}
