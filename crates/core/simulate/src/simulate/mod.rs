@@ -1,7 +1,9 @@
 //! A world to try the method in: flights with sensors, and the built-in scenarios.
 
+#[macro_use]
+mod worlds;
+
 mod aerial_camera;
-mod countryside;
 mod county;
 mod dryden;
 mod flight;
@@ -9,13 +11,11 @@ mod flight_airframe;
 mod flight_day;
 mod flight_frames;
 mod guidance;
-mod hall;
 mod route;
 mod scenario;
 pub mod scenery;
 mod sensors;
 mod world;
-mod worlds;
 
 pub use aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
 pub use county::County;
@@ -29,4 +29,12 @@ pub use hall::IndoorHall;
 pub use scenario::{Overrides, Scenario, Wind, world_origin};
 pub use sensors::{SensorError, SensorSpec};
 pub use world::{LaidWorld, SimulationChoice, World};
-pub use worlds::{WORLDS, is_small_world, lay_out_small_world, lay_out_world};
+
+// All worlds: another one is a file or folder of this one with its type, and a line here.
+worlds! {
+    small {
+        countryside::Countryside,
+        hall::Hall,
+    }
+    whole {}
+}

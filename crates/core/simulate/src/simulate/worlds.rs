@@ -1,44 +1,45 @@
-//! All worlds. Another one is a file or folder with its type, its module, and a line in the list below.
+//! All worlds, and what is asked of the table of them in `mod.rs`.
 
-use std::sync::Arc;
-
-use super::Overrides;
-use super::countryside::Countryside;
-use super::hall::Hall;
-use super::world::{LaidWorld, LayOut as _, SimulationChoice, World};
+use super::{Overrides, SimulationChoice, WORLDS, lay_out_world};
 use pilotage_mission::mission::Mission;
 
-/// Makes the table of worlds, and lays them out: those under `small` in every program that flies.
+/// Declares the files or folders of the worlds, makes their table, and lays them out: those under `small` in every
+/// program that flies.
 macro_rules! worlds {
-    (small { $($small:expr,)* } whole { $($whole:expr,)* }) => {
+    (
+        small { $($small_file:ident::$small:ident,)* }
+        whole { $($whole_file:ident::$whole:ident,)* }
+    ) => {
+        $(mod $small_file;)*
+        $(mod $whole_file;)*
+
         /// Every world, in the order in which people read their flights.
-        pub static WORLDS: &[&dyn World] = &[$(&$small,)* $(&$whole,)*];
+        pub static WORLDS: &[&dyn World] = &[
+            $(&$small_file::$small,)*
+            $(&$whole_file::$whole,)*
+        ];
 
         /// Whether the small program flies in the world of that key.
         pub fn is_small_world(key: &str) -> bool {
-            [$($small.key(),)*].contains(&key)
+            [$($small_file::$small.key(),)*].contains(&key)
         }
 
         /// The world of that key, laid out by the small program, which links no other.
-        pub fn lay_out_small_world(key: &str) -> Option<Arc<dyn LaidWorld>> {
-            $(if $small.key() == key { return Some($small.lay_out()); })*
+        pub fn lay_out_small_world(key: &str) -> Option<std::sync::Arc<dyn LaidWorld>> {
+            $(if $small_file::$small.key() == key {
+                return Some(world::LayOut::lay_out(&$small_file::$small));
+            })*
             None
         }
 
         /// The world of that key, laid out.
-        pub fn lay_out_world(key: &str) -> Option<Arc<dyn LaidWorld>> {
-            $(if $whole.key() == key { return Some($whole.lay_out()); })*
+        pub fn lay_out_world(key: &str) -> Option<std::sync::Arc<dyn LaidWorld>> {
+            $(if $whole_file::$whole.key() == key {
+                return Some(world::LayOut::lay_out(&$whole_file::$whole));
+            })*
             lay_out_small_world(key)
         }
     };
-}
-
-worlds! {
-    small {
-        Countryside,
-        Hall,
-    }
-    whole {}
 }
 
 impl SimulationChoice {
