@@ -1,52 +1,32 @@
-//! All orders. A new one is a file with its type, and a line in the list below.
+//! The enum of all orders, made from the list in `lib.rs`.
 
-use serde::{Deserialize, Serialize};
-
-use super::assess::SumUpOrder;
-use super::assess_ahead::AssessAheadOrder;
-use super::control_points::ReadControlPointsOrder;
-use super::distinct::DistinctnessOrder;
-use super::envelope::EnvelopeOrder;
-use super::explain::ExplainOrder;
-use super::fly::FlyOrder;
-use super::frame_picture::FramePictureOrder;
-use super::log_series::SeriesOrder;
-use super::logs::ReadLogOrder;
-use super::map_view::{DescribeMapOrder, TileOrder};
-use super::messages::{
-    AssessmentOrder, BriefOrder, CalibrationOrder, ContestOrder, DrapeOrder, EvaluationOrder,
-    ExportOrder, FieldOrder, FindOrder, HeightsOrder, LogOrder, OutageOrder, PackOrder,
-    PhotosOrder, PredictionOrder, SuggestOrder, TrainOrder,
-};
-use super::open::{OpenOrder, ReadPlacesOrder};
-use super::order::{Order, Reads, Urgency, WorkerRole};
-use super::prepare::PrepareMapOrder;
-use super::provided::{LetGoOrder, ProvideOrder};
-use super::read_study_plan::ReadStudyPlanOrder;
-use super::rehearse::RehearseOrder;
-use super::running::once;
-use super::share::ShareOrder;
-use super::smooth::SmoothOrder;
-use super::study_enough::StudyEnoughOrder;
-use super::study_flights::StudyFlightsOrder;
-use super::suggest::ProposeOrder;
-use super::tables::MakeFlightOrder;
-use super::untested::UntestedOrder;
-use super::{MapSource, RunningJob, WorkerState};
-
-/// Makes the enum of orders, and passes every question about a job on to its order.
+/// Declares the files of the orders that name theirs, makes the enum of orders, and passes every question about a job on
+/// to its order. An order is `Name: pub use file::NameOrder;`, or `Name(NameOrder);` where a module declared elsewhere
+/// has several, or where the message holds it in a box.
 macro_rules! orders {
-    (small { $($small:ident($small_order:ty),)* } whole { $($name:ident($order:ty),)* }) => {
+    (
+        small { $(
+            $small:ident $(($small_order:ty))? $(: pub use $small_file:ident::$small_own:ident)?;
+        )* }
+        whole { $(
+            $name:ident $(($order:ty))? $(: pub use $file:ident::$own:ident)?;
+        )* }
+    ) => {
+        $($(mod $small_file;)?)*
+        $($(mod $file;)?)*
+        $($(pub use $small_file::$small_own;)?)*
+        $($(pub use $file::$own;)?)*
+
         /// Something to do in a worker: one of all orders, as it goes over the wire.
-        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
         pub enum Job {
             $(
-                #[doc = concat!("See [`", stringify!($small_order), "`].")]
-                $small($small_order),
+                #[doc = concat!("See [`", stringify!($($small_order)? $($small_own)?), "`].")]
+                $small($($small_order)? $($small_own)?),
             )*
             $(
-                #[doc = concat!("See [`", stringify!($order), "`].")]
-                $name($order),
+                #[doc = concat!("See [`", stringify!($($order)? $($own)?), "`].")]
+                $name($($order)? $($own)?),
             )*
         }
 
@@ -54,8 +34,8 @@ macro_rules! orders {
             /// Urgency among the jobs of its worker.
             pub fn urgency(&self) -> Urgency {
                 match self {
-                    $(Self::$small(_) => <$small_order as Order>::URGENCY,)*
-                    $(Self::$name(_) => <$order as Order>::URGENCY,)*
+                    $(Self::$small(_) => <$($small_order)? $($small_own)? as Order>::URGENCY,)*
+                    $(Self::$name(_) => <$($order)? $($own)? as Order>::URGENCY,)*
                 }
             }
 
@@ -96,7 +76,7 @@ macro_rules! orders {
             pub fn begin_small(self, worker: &mut WorkerState) -> Box<dyn RunningJob> {
                 match self {
                     $(Self::$small(order) => order.begin(worker),)*
-                    _ => once(|_, _| {
+                    _ => running::once(|_, _| {
                         Err("this worker cannot do that; load the page again".to_owned())
                     }),
                 }
@@ -111,55 +91,4 @@ macro_rules! orders {
             }
         }
     };
-}
-
-orders! {
-    small {
-    LetGo(LetGoOrder),
-    DescribeMap(DescribeMapOrder),
-    Tile(TileOrder),
-    Fly(FlyOrder),
-    Distinctness(DistinctnessOrder),
-    ExplainMatch(ExplainOrder),
-    FramePicture(FramePictureOrder),
-    Predict(Box<PredictionOrder>),
-    Rehearse(Box<RehearseOrder>),
-    }
-    whole {
-    Provide(ProvideOrder),
-    Open(OpenOrder),
-    ReadPlaces(ReadPlacesOrder),
-    ReadControlPoints(ReadControlPointsOrder),
-    PrepareMap(PrepareMapOrder),
-    TakeHeights(Box<HeightsOrder>),
-    ReadLog(ReadLogOrder),
-    MakeFlight(MakeFlightOrder),
-    LogSeries(SeriesOrder),
-    AskLog(Box<LogOrder>),
-    Outage(Box<OutageOrder>),
-    Contest(Box<ContestOrder>),
-    Smooth(SmoothOrder),
-    Calibrate(Box<CalibrationOrder>),
-    LayPhotos(Box<PhotosOrder>),
-    DrapePhoto(Box<DrapeOrder>),
-    Evaluate(Box<EvaluationOrder>),
-    Assess(Box<AssessmentOrder>),
-    AssessShare(ShareOrder<AssessmentOrder>),
-    SumUp(SumUpOrder),
-    AssessAhead(AssessAheadOrder),
-    Untested(UntestedOrder),
-    Envelope(EnvelopeOrder),
-    Train(Box<TrainOrder>),
-    Suggest(Box<SuggestOrder>),
-    SuggestShare(ShareOrder<SuggestOrder>),
-    Propose(ProposeOrder),
-    Field(Box<FieldOrder>),
-    Find(Box<FindOrder>),
-    Brief(BriefOrder),
-    Pack(Box<PackOrder>),
-    Export(Box<ExportOrder>),
-    ReadStudyPlan(ReadStudyPlanOrder),
-    StudyEnough(StudyEnoughOrder),
-    StudyFlights(StudyFlightsOrder),
-    }
 }

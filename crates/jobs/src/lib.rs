@@ -4,18 +4,16 @@
 //! listen; a [`JobRunner`] holds the jobs of one worker; a [`WorkerPool`] shares jobs out among workers
 //! and replaces one that died; [`InlineWorkers`] does all of it on the calling thread, for tests.
 
-mod assess;
-mod assess_ahead;
+#[macro_use]
+mod job;
+
 mod bare_mission;
 mod brief;
 mod calibrate;
 mod circumstances;
 mod contest;
 mod control_points;
-mod distinct;
-mod envelope;
 mod evaluate;
-mod explain;
 mod export;
 mod far_away;
 mod fetched_tiles;
@@ -24,17 +22,13 @@ mod file_pool;
 mod find;
 mod flight_among;
 mod flights;
-mod fly;
 mod frame_picture;
 mod heights;
 mod imports;
 mod inline;
-mod job;
 mod lent;
 mod log_answers;
 mod log_flights;
-mod log_series;
-mod logs;
 mod map_view;
 mod messages;
 mod open;
@@ -48,7 +42,6 @@ mod photos;
 mod places;
 mod predict;
 mod prelude;
-mod prepare;
 mod programs;
 mod provided;
 mod read_study_plan;
@@ -64,42 +57,28 @@ mod sensitivity;
 mod share;
 mod shared;
 mod simulated;
-mod smooth;
 mod studied;
-mod study_enough;
-mod study_flights;
 mod study_shard;
-mod suggest;
 mod summary;
 mod table_names;
 mod tables;
 mod train;
-mod untested;
 mod vehicle;
 mod wanted_tiles;
 mod worker_pool;
 mod worker_state;
 
-pub use assess::SumUpOrder;
-pub use assess_ahead::AssessAheadOrder;
 pub use bare_mission::BareMission;
 pub use circumstances::PlanCircumstances;
 pub use control_points::{PresumedSystem, ReadControlPointsOrder};
-pub use distinct::DistinctnessOrder;
-pub use envelope::EnvelopeOrder;
-pub use explain::ExplainOrder;
 pub use fetched_tiles::WEB_TILES;
 pub use flight_among::{flight_among, flight_of_file, with_films_told};
 pub use flights::{KeptFrames, OpenFlight};
-pub use fly::FlyOrder;
 pub use frame_picture::{FramePictureOrder, PictureForm};
 pub use imports::{labels, read_exchange};
 pub use inline::InlineWorkers;
-pub use job::Job;
 pub use lent::{LentFiles, OpenAddress};
 pub use log_flights::{foreign_kind, log_among, open_log, with_pictures};
-pub use log_series::SeriesOrder;
-pub use logs::ReadLogOrder;
 pub use map_view::{DescribeMapOrder, TileOrder};
 pub use messages::{
     AidedResult, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder, BriefPictures, COARSE,
@@ -119,7 +98,6 @@ pub use opening::{map as map_among, mission_beside_flight};
 pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};
 pub use photo_picture::decode_photo;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
-pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
 pub use read_study_plan::{ReadStudyPlan, ReadStudyPlanOrder};
@@ -132,18 +110,65 @@ pub use runner::JobRunner;
 pub use sensitivity::SensitivityOrder;
 pub use share::{ShareOrder, Shareable};
 pub use simulated::scenario_wind;
-pub use smooth::SmoothOrder;
-pub use study_enough::StudyEnoughOrder;
-pub use study_flights::StudyFlightsOrder;
 pub use study_shard::StudyShardOrder;
-pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
 pub use table_names::{TABLES, is_text_table, table_names};
 pub use tables::{
     COLUMNS_FILE, MakeFlightOrder, StatedColumns, columns_file, maps_beside, write_columns,
 };
-pub use untested::UntestedOrder;
 pub use vehicle::{VEHICLE_FILE, choose_vehicle, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};
 pub use worker_state::{Advance, Elsewhere, Opens, RunningJob, WorkerState};
+
+// All orders: another one is a file of this folder with its type, and a line here.
+orders! {
+    small {
+        LetGo(LetGoOrder);
+        DescribeMap(DescribeMapOrder);
+        Tile(TileOrder);
+        Fly: pub use fly::FlyOrder;
+        Distinctness: pub use distinct::DistinctnessOrder;
+        ExplainMatch: pub use explain::ExplainOrder;
+        FramePicture(FramePictureOrder);
+        Predict(Box<PredictionOrder>);
+        Rehearse(Box<RehearseOrder>);
+    }
+    whole {
+        Provide(ProvideOrder);
+        Open(OpenOrder);
+        ReadPlaces(ReadPlacesOrder);
+        ReadControlPoints(ReadControlPointsOrder);
+        PrepareMap: pub use prepare::PrepareMapOrder;
+        TakeHeights(Box<HeightsOrder>);
+        ReadLog: pub use logs::ReadLogOrder;
+        MakeFlight(MakeFlightOrder);
+        LogSeries: pub use log_series::SeriesOrder;
+        AskLog(Box<LogOrder>);
+        Outage(Box<OutageOrder>);
+        Contest(Box<ContestOrder>);
+        Smooth: pub use smooth::SmoothOrder;
+        Calibrate(Box<CalibrationOrder>);
+        LayPhotos(Box<PhotosOrder>);
+        DrapePhoto(Box<DrapeOrder>);
+        Evaluate(Box<EvaluationOrder>);
+        Assess(Box<AssessmentOrder>);
+        AssessShare(ShareOrder<AssessmentOrder>);
+        SumUp: pub use assess::SumUpOrder;
+        AssessAhead: pub use assess_ahead::AssessAheadOrder;
+        Untested: pub use untested::UntestedOrder;
+        Envelope: pub use envelope::EnvelopeOrder;
+        Train(Box<TrainOrder>);
+        Suggest(Box<SuggestOrder>);
+        SuggestShare(ShareOrder<SuggestOrder>);
+        Propose: pub use suggest::ProposeOrder;
+        Field(Box<FieldOrder>);
+        Find(Box<FindOrder>);
+        Brief(BriefOrder);
+        Pack(Box<PackOrder>);
+        Export(Box<ExportOrder>);
+        ReadStudyPlan(ReadStudyPlanOrder);
+        StudyEnough: pub use study_enough::StudyEnoughOrder;
+        StudyFlights: pub use study_flights::StudyFlightsOrder;
+    }
+}

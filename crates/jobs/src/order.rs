@@ -1,6 +1,6 @@
 //! Orders: pieces of heavy work that a page, a terminal or a test asks for in the same way.
 //!
-//! A new one is a type that implements [`Order`], in a file of its own, and a line in `job.rs`.
+//! A new one is a type that implements [`Order`], in a file of its own, and a line in `lib.rs`.
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::Window;

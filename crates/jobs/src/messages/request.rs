@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::JobEvent;
-use crate::job::Job;
+use crate::Job;
 
 /// Number of a job, unique within a page.
 pub type JobId = u64;
