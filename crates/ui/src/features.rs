@@ -1,61 +1,23 @@
-//! All features of the app, in the order of their tabs: a new one is a folder, and a line here.
+//! The table of all features of the app, made from the list in `lib.rs`, and that of their commands.
 
-use crate::camera_log::CameraLogFeature;
-use crate::columns::ColumnsFeature;
-use crate::compare::Compare;
-use crate::detector::DetectorFeature;
-use crate::exports::ExportsFeature;
 use crate::feature::Feature;
-use crate::film::Films;
-use crate::georeference::GeoreferencerFeature;
-use crate::go_to::GoTo;
-use crate::labelling::Labelling;
-use crate::learn::LearnFeature;
-use crate::link::LinkFeature;
-use crate::log::LogFeature;
-use crate::matches::MatchFeature;
-use crate::measure::Measure;
-use crate::outage::Outages;
-use crate::photos::PhotosFeature;
-use crate::plan::Planner;
-use crate::roads::Roads;
-use crate::screenshot::Screenshot;
 use crate::shell::catalog::{self, CommandEntry};
-use crate::simulate::SimulateFeature;
-use crate::study::StudyFeature;
-use crate::web_map::WebMapFeature;
 
-/// Every feature, as it is when the app starts.
-pub fn all() -> Vec<Box<dyn Feature>> {
-    vec![
-        // As those of the app that open something, its command comes before all that save.
-        Box::new(SimulateFeature::default()),
-        // Its commands stand behind those of the app that open files.
-        Box::new(ExportsFeature::default()),
-        // Before whatever else draws on the map, for what the others draw lies over photos.
-        Box::new(PhotosFeature::default()),
-        // Behind photos, which may want a picture that it would put on the ground.
-        Box::new(GeoreferencerFeature::default()),
-        Box::new(Labelling::default()),
-        Box::new(MatchFeature::default()),
-        Box::new(DetectorFeature::default()),
-        // Before the plan, which fits the map to itself unless the map lies somewhere.
-        Box::new(LinkFeature::default()),
-        Box::<Planner>::default(),
-        Box::new(LearnFeature::default()),
-        Box::new(LogFeature::default()),
-        Box::new(Compare::default()),
-        Box::new(Outages::default()),
-        Box::new(StudyFeature::default()),
-        Box::new(CameraLogFeature::default()),
-        Box::new(WebMapFeature::default()),
-        Box::<GoTo>::default(),
-        Box::new(ColumnsFeature::default()),
-        Box::<Measure>::default(),
-        Box::<Roads>::default(),
-        Box::<Screenshot>::default(),
-        Box::<Films>::default(),
-    ]
+/// All features of the app, in the order of their tabs.
+pub struct FeatureTable;
+
+/// Declares the folders of the features, and makes their list.
+macro_rules! features {
+    ($($visibility:vis $folder:ident::$feature:ident,)*) => {
+        $($visibility mod $folder;)*
+
+        impl features::FeatureTable {
+            /// Every feature, as it is when the app starts.
+            pub fn all() -> Vec<Box<dyn feature::Feature>> {
+                vec![$(Box::<$folder::$feature>::default(),)*]
+            }
+        }
+    };
 }
 
 /// Table of all commands: the app's own, then those of its parts.
@@ -77,7 +39,7 @@ mod tests {
 
     #[test]
     fn no_two_features_share_an_identity_and_each_lists_commands_for_itself_alone() {
-        let features = all();
+        let features = FeatureTable::all();
         let names: BTreeSet<_> = features.iter().map(|it| it.info().id).collect();
         assert_eq!(names.len(), features.len());
         for info in features.iter().map(|it| it.info()) {
@@ -92,7 +54,7 @@ mod tests {
 
     #[test]
     fn no_two_commands_share_a_shortcut() {
-        let entries = catalog(&all());
+        let entries = catalog(&FeatureTable::all());
         let mut seen: Vec<(KeyboardShortcut, &str)> = Vec::new();
         for entry in &entries {
             for shortcut in &entry.shortcuts {
@@ -106,7 +68,7 @@ mod tests {
 
     #[test]
     fn the_words_of_people_find_what_they_mean() {
-        let entries = catalog(&all());
+        let entries = catalog(&FeatureTable::all());
         for (query, wanted) in [
             ("help", "Show all shortcuts"),
             ("tutorial", "Show Learn: the guided tour"),

@@ -1,47 +1,58 @@
 //! The views and commands of Pilotage, without a window system, so that tests drive them natively.
 
+#[macro_use]
+pub mod features;
+
 pub mod app;
-pub mod camera_log;
-pub mod columns;
 pub mod command;
-pub mod compare;
 pub mod context;
-pub mod detector;
 pub mod dialogs;
 pub mod documents;
 pub mod explanations;
 pub mod export_command;
-pub mod exports;
 pub mod feature;
 pub mod feature_command;
-pub mod features;
-mod film;
-pub mod georeference;
-pub mod go_to;
 pub mod host;
 pub mod job_owners;
 pub mod kept_mesh;
 pub mod kept_tree;
-pub mod labelling;
-pub mod learn;
-pub mod link;
-pub mod log;
 pub mod map;
-pub mod matches;
-pub mod measure;
-pub mod outage;
-pub mod photos;
-pub mod plan;
-pub mod roads;
-pub mod screenshot;
 pub mod shell;
 pub mod short_map;
-pub mod simulate;
 mod state_json;
 pub mod still;
-pub mod study;
 pub mod timeline;
 pub mod tokens;
 pub mod units;
 pub mod views;
-pub mod web_map;
+
+// All features, in the order of their tabs: another one is a folder, and a line here.
+features! {
+    // As those of the app that open something, its command comes before all that save.
+    pub simulate::SimulateFeature,
+    // Its commands stand behind those of the app that open files.
+    pub exports::ExportsFeature,
+    // Before whatever else draws on the map, for what the others draw lies over photos.
+    pub photos::PhotosFeature,
+    // Behind photos, which may want a picture that it would put on the ground.
+    pub georeference::GeoreferencerFeature,
+    pub labelling::Labelling,
+    pub matches::MatchFeature,
+    pub detector::DetectorFeature,
+    // Before the plan, which fits the map to itself unless the map lies somewhere.
+    pub link::LinkFeature,
+    pub plan::Planner,
+    pub learn::LearnFeature,
+    pub log::LogFeature,
+    pub compare::Compare,
+    pub outage::Outages,
+    pub study::StudyFeature,
+    pub camera_log::CameraLogFeature,
+    pub web_map::WebMapFeature,
+    pub go_to::GoTo,
+    pub columns::ColumnsFeature,
+    pub measure::Measure,
+    pub roads::Roads,
+    pub screenshot::Screenshot,
+    film::Films,
+}

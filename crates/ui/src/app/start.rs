@@ -53,7 +53,7 @@ impl App {
         };
         context.set_fonts(fonts());
         apply_theme(context, &tokens);
-        let features = crate::features::all();
+        let features = crate::features::FeatureTable::all();
         let catalog = crate::features::catalog(&features);
         context.add_plugin(ShortcutListener::new(&catalog));
         let mut app = Self {
