@@ -4,6 +4,7 @@
 //! piece of bad source, so that a rule which can no longer fail is noticed. A package of its own that knows
 //! none of the others, so that the rules are checked in seconds, before anything else is compiled.
 
+pub mod additions;
 pub mod circles;
 pub mod docstrings;
 pub mod layers;

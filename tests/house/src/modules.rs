@@ -353,6 +353,17 @@ mod tests {
     }
 
     #[test]
+    fn a_list_that_declares_its_files_brings_in_what_it_says() {
+        let list = "orders! { small {} whole { B: pub use b::B; Other(Box<C>); } }";
+        let found = arrows(&[
+            ("lib.rs", list),
+            ("b.rs", "pub struct B;"),
+            ("d.rs", "use super::B; fn f() { crate::B::new() }"),
+        ]);
+        assert_eq!(found, ["d > b: B"]);
+    }
+
+    #[test]
     fn tests_and_what_a_file_has_of_its_own_are_no_arrows() {
         let found = arrows(&[
             ("a.rs", "pub struct A; mod inner { use super::A; }"),

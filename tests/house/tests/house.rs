@@ -1,7 +1,7 @@
 //! The rules of the house, applied to this repository.
 
 use pilotage_house::{
-    assert_none, circles, docstrings, layers, manifest, names, reach, shape,
+    additions, assert_none, circles, docstrings, layers, manifest, names, reach, shape,
     sources::{below, folders_with_rust, repository},
 };
 
@@ -246,6 +246,36 @@ fn the_app_does_no_more_by_itself_than_it_did() {
         OF_THE_APP,
         "files with `impl App`: where the number grew, make it a feature; where it shrank, write it down"
     );
+}
+
+#[test]
+fn an_addition_is_a_file_and_a_line() {
+    let rust = |folder: &str| {
+        let sources = below(folder).into_iter();
+        let sources = sources.filter(|source| source.is("rs"));
+        let mut sources = reach::without_test_files(sources.collect());
+        sources.retain(|source| !source.path.ends_with("_tests.rs"));
+        sources
+    };
+    let mut all = rust("crates");
+    // Tests and examples beside the sources are no part of an addition.
+    all.retain(|source| source.path.contains("/src/"));
+    for source in &mut all {
+        source.path = format!("crates/{}", source.path);
+    }
+    let mut dear = Vec::new();
+    for table in &additions::TABLES {
+        let sources = rust(table.sources);
+        assert!(!table.entries(&sources).is_empty(), "{table:?}");
+        let named = additions::named_elsewhere(table, &sources, &all);
+        let cheaper = additions::cheaper_by_now(table, &named, &additions::LEFT);
+        assert!(
+            cheaper.is_empty(),
+            "fewer files name these by now: write the smaller numbers down, {cheaper:?}"
+        );
+        dear.extend(additions::dear_additions(table, &named, &additions::LEFT));
+    }
+    assert_none(&dear);
 }
 
 /// Folder of the package for Python.
