@@ -1,5 +1,7 @@
 //! Lower crates and folders never import upper ones.
 
+use std::cmp::Ordering;
+
 use crate::{
     Violation,
     sources::Source,
@@ -11,9 +13,13 @@ use crate::{
 pub struct FolderOrder {
     /// Folder of the crate's sources, relative to the root of the repository.
     pub sources: &'static str,
-    /// Names of the folders, the lowest first.
+    /// Names of the folders, the lowest first; [`FEATURES`] stands for those of a table of features that are not named.
     pub folders: &'static [&'static str],
 }
+
+/// Place in an order of all folders that a table of features lists and the order does not name: none of them imports
+/// another.
+pub const FEATURES: &str = "(features)";
 
 /// Every crate with more than one folder.
 pub const ORDERS: [&FolderOrder; 8] = [
@@ -74,8 +80,9 @@ pub const ORDERS: [&FolderOrder; 8] = [
 ];
 
 /// Imports in `source` (its path relative to the order's folder of sources) that point upward, by `crate::`
-/// or by a chain of `super::` that climbs out of the folder. Test code counts as well.
-pub fn upward_imports(source: &Source, order: &FolderOrder) -> Vec<Violation> {
+/// or by a chain of `super::` that climbs out of the folder. Test code counts as well. `features` are the folders that
+/// the crate's table of features lists.
+pub fn upward_imports(source: &Source, order: &FolderOrder, features: &[String]) -> Vec<Violation> {
     let module = module_of(&source.path);
     let Some(folder) = module.first() else {
         return Vec::new();
@@ -85,7 +92,8 @@ pub fn upward_imports(source: &Source, order: &FolderOrder) -> Vec<Violation> {
         line,
         complaint,
     };
-    if order.rank(folder).is_none() {
+    let rank = |folder: &str| order.rank(folder, features);
+    if rank(folder).is_none() {
         let folders = order.folders;
         return vec![complain(
             0,
@@ -96,27 +104,34 @@ pub fn upward_imports(source: &Source, order: &FolderOrder) -> Vec<Violation> {
         .iter()
         .filter_map(|path| {
             let target = target_folder(&module, path)?;
-            if order.rank(target).is_none() {
+            if rank(target).is_none() {
                 let text = path.text();
                 let what = "name the folder it comes from, or give it a place in the order";
                 return Some(complain(path.line, format!("`{text}`: {what}")));
             }
-            order.points_up(folder, target).then(|| {
-                let text = path.text();
-                let what = format!("`{text}` imports upward, from {folder} to {target}");
-                complain(path.line, what)
-            })
+            let text = path.text();
+            match rank(target).cmp(&rank(folder)) {
+                Ordering::Greater => {
+                    let what = format!("`{text}` imports upward, from {folder} to {target}");
+                    Some(complain(path.line, what))
+                }
+                Ordering::Equal if target != *folder => {
+                    let what = format!(
+                        "`{text}`: {folder} and {target} are features of one height; name the lower one in the order"
+                    );
+                    Some(complain(path.line, what))
+                }
+                _ => None,
+            }
         })
         .collect()
 }
 
 impl FolderOrder {
-    fn rank(&self, folder: &str) -> Option<usize> {
-        self.folders.iter().position(|name| *name == folder)
-    }
-
-    fn points_up(&self, from: &str, to: &str) -> bool {
-        self.rank(to) > self.rank(from)
+    fn rank(&self, folder: &str, features: &[String]) -> Option<usize> {
+        let place = |wanted: &str| self.folders.iter().position(|name| *name == wanted);
+        let is_feature = || features.iter().any(|feature| feature == folder);
+        place(folder).or_else(|| is_feature().then(|| place(FEATURES)).flatten())
     }
 }
 
@@ -144,28 +159,10 @@ const UI: FolderOrder = FolderOrder {
         "map",
         "feature",
         "explanations",
-        "log",
+        // Features on which others stand.
         "plan",
-        "labelling",
-        "matches",
-        "learn",
-        "detector",
-        "photos",
-        "camera_log",
-        "compare",
-        "outage",
-        "study",
-        "measure",
-        "roads",
-        "screenshot",
-        "film",
         "web_map",
-        "go_to",
-        "georeference",
-        "columns",
-        "exports",
-        "link",
-        "simulate",
+        FEATURES,
         "dialogs",
         "features",
         "app",
@@ -217,6 +214,8 @@ mod tests {
             "navigator",
             "simulate",
             "study",
+            FEATURES,
+            "app",
         ],
     };
 
@@ -228,7 +227,8 @@ mod tests {
     }
 
     fn complaints(path: &str, text: &str) -> usize {
-        upward_imports(&source(path, text), &LADDER).len()
+        let features = ["hello", "log", "study"].map(str::to_owned);
+        upward_imports(&source(path, text), &LADDER, &features).len()
     }
 
     #[test]
@@ -276,5 +276,16 @@ mod tests {
     fn a_folder_or_a_name_outside_the_order_is_noticed() {
         assert_eq!(complaints("helpers/mod.rs", ""), 1);
         assert_eq!(complaints("camera/model.rs", "use crate::Navigator;"), 1);
+    }
+
+    #[test]
+    fn a_feature_of_the_table_needs_no_place_of_its_own_and_imports_no_other_of_its_height() {
+        let hello = "hello/panel.rs";
+        assert_eq!(complaints(hello, "use crate::{frames::X, study::Y};"), 0);
+        assert_eq!(complaints(hello, "use crate::hello::Z;"), 0);
+        assert_eq!(complaints("app/mod.rs", "use crate::hello::Z;"), 0);
+        assert_eq!(complaints(hello, "use crate::log::Z;"), 1);
+        assert_eq!(complaints(hello, "use crate::app::Z;"), 1);
+        assert_eq!(complaints("study/mod.rs", "use crate::hello::Z;"), 1);
     }
 }
