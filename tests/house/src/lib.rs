@@ -11,6 +11,7 @@ pub mod layers;
 pub mod manifest;
 pub mod modules;
 pub mod names;
+pub mod papers;
 pub mod reach;
 pub mod shape;
 pub mod sources;

@@ -1,7 +1,7 @@
 //! The rules of the house, applied to this repository.
 
 use pilotage_house::{
-    additions, assert_none, circles, docstrings, layers, manifest, names, reach, shape,
+    additions, assert_none, circles, docstrings, layers, manifest, names, papers, reach, shape,
     sources::{below, folders_with_rust, repository},
 };
 
@@ -237,6 +237,39 @@ fn the_architecture_page_names_every_folder() {
         &text("ARCHITECTURE.md"),
         &folders,
     ));
+}
+
+#[test]
+fn the_papers_that_are_read_at_one_sitting_stay_short() {
+    let too_long = |(path, most)| papers::too_long(path, &text(path), most);
+    let found: Vec<_> = papers::SHORT_PAPERS
+        .into_iter()
+        .filter_map(too_long)
+        .collect();
+    assert_none(&found);
+}
+
+#[test]
+fn the_method_says_what_each_aid_estimator_and_vehicle_does() {
+    let sources = below("crates/core");
+    let aids = papers::keys(&sources, "AidInfo");
+    assert!(aids.len() > 7, "{aids:?}");
+    let estimators = papers::keys(&sources, "EstimatorInfo");
+    assert!(estimators.len() > 2, "{estimators:?}");
+    let registry = text("crates/core/estimation/src/vehicle/registry.rs");
+    let vehicles = papers::listed(&registry, "registry");
+    assert!(vehicles.len() > 8, "{vehicles:?}");
+    let names = [aids, estimators, vehicles].concat();
+    let method = text("docs/method.md");
+    assert_none(&papers::unwritten("docs/method.md", &method, &names));
+}
+
+#[test]
+fn the_names_in_the_method_and_the_glossary_are_those_of_the_sources() {
+    let sources = [below("crates"), below(PYTHON), below("tests")].concat();
+    for path in ["docs/method.md", "docs/glossary.md"] {
+        assert_none(&papers::unknown(path, &text(path), &sources));
+    }
 }
 
 /// Files of the interface in which the app does something itself. Parts of the app become features, which do it for
