@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use pilotage_base::frames::{Attitude, GroundPoint};
+
 use super::{
     AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust, AtHeight,
-    ConstantVelocity, HeightModel, MapError, Multirotor, OverMap, RandomWalk, ThesisNoise,
-    TiltBias, Tilted, VehicleModel, VelocityDriven,
+    ConstantVelocity, ControlInput, HeightModel, MapError, Multirotor, OverMap, RandomWalk,
+    ThesisNoise, TiltBias, Tilted, VehicleModel, VelocityDriven,
 };
 
 /// Something that wants to work with a vehicle model of any state size.
@@ -191,14 +193,27 @@ impl VehicleSettings {
         self.visit(Components)
     }
 
-    /// Whether the model uses a measured airspeed.
+    /// Whether the model flies by an airspeed: where it is after a second depends on what the airspeed reads.
+    ///
+    /// ```
+    /// use pilotage_estimation::vehicle::VehicleSettings;
+    ///
+    /// let flies_by_air = |key| VehicleSettings::from_key(key).is_some_and(|v| v.uses_airspeed());
+    /// assert!(flies_by_air("airplane-wind") && !flies_by_air("velocity-driven"));
+    /// ```
     pub fn uses_airspeed(&self) -> bool {
-        !matches!(
-            self,
-            Self::RandomWalk(_)
-                | Self::ConstantVelocity(_)
-                | Self::Multirotor(_)
-                | Self::VelocityDriven(_)
-        )
+        struct MovedByAirspeed;
+        impl VehicleVisitor for MovedByAirspeed {
+            type Output = bool;
+            fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> bool {
+                let start = model.prior(GroundPoint::default(), 1.0).mean;
+                let after = |airspeed| {
+                    let input = ControlInput::new(airspeed, Attitude::level(0.0));
+                    model.propagate(&start, &input, 1.0)
+                };
+                after(10.0) != after(20.0)
+            }
+        }
+        self.visit(MovedByAirspeed)
     }
 }

@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix2, Vector2};
 
-use pilotage_estimation::vehicle::ControlInput;
-use pilotage_mission::settings::{Cruise, VehicleChoice};
+use pilotage_estimation::vehicle::{ControlInput, VehicleSettings};
+use pilotage_mission::settings::Cruise;
 
 /// Velocity through the air as a vehicle model takes it, where no reading tells it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -16,11 +16,8 @@ pub struct AssumedAir {
 
 impl AssumedAir {
     /// Of the readings `input` as `vehicle` takes them, with the airspeed of `cruise` where none is read.
-    pub fn of(input: &ControlInput, vehicle: VehicleChoice, cruise: Cruise) -> Self {
-        let flies_by_air = matches!(
-            vehicle,
-            VehicleChoice::AirplaneWind | VehicleChoice::AirplaneGust | VehicleChoice::AirplaneFull
-        );
+    pub fn of(input: &ControlInput, vehicle: &VehicleSettings, cruise: Cruise) -> Self {
+        let is_read = input.airspeed.is_some() && input.heading_deviation <= 0.0;
         let (speed, deviation) = match input.airspeed {
             Some(reading) => (reading, 0.0),
             None => (cruise.airspeed, cruise.deviation),
@@ -32,10 +29,10 @@ impl AssumedAir {
         let across = 0.5 * speed.powi(2) * (1.0 - left * left);
         let (sin, cos) = input.heading().sin_cos();
         let (ahead, right) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
-        let velocity = if flies_by_air {
-            ahead * ahead.transpose() * along + right * right.transpose() * across
-        } else {
+        let velocity = if is_read || !vehicle.uses_airspeed() {
             Matrix2::zeros()
+        } else {
+            ahead * ahead.transpose() * along + right * right.transpose() * across
         };
         Self {
             velocity,
@@ -48,8 +45,11 @@ impl AssumedAir {
 mod tests {
     use std::f64::consts::FRAC_PI_2;
 
+    use super::super::super::engine::{place_in_state, vehicle};
     use super::*;
     use pilotage_base::frames::Attitude;
+    use pilotage_estimation::vehicle::{ConstantVelocity, StateComponent};
+    use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 
     const CRUISE: Cruise = Cruise {
         airspeed: 20.0,
@@ -57,7 +57,7 @@ mod tests {
     };
 
     fn of(input: &ControlInput) -> Matrix2<f64> {
-        AssumedAir::of(input, VehicleChoice::AirplaneWind, CRUISE).velocity
+        AssumedAir::of(input, &VehicleSettings::default(), CRUISE).velocity
     }
 
     #[test]
@@ -87,8 +87,24 @@ mod tests {
             ..ControlInput::new(18.0, Attitude::level(0.3))
         };
         assert!((of(&lost) - Matrix2::identity() * 162.0).norm() < 1e-6);
-        let other = AssumedAir::of(&lost, VehicleChoice::ConstantVelocity, CRUISE);
+        let other = VehicleSettings::ConstantVelocity(ConstantVelocity::default());
+        let other = AssumedAir::of(&lost, &other, CRUISE);
         assert_eq!(other.velocity, Matrix2::zeros());
         assert!(other.holds_heading);
+    }
+
+    #[test]
+    fn every_vehicle_that_knows_the_wind_and_has_no_velocity_of_its_own_flies_by_air() {
+        let unread = ControlInput::without_airspeed(Attitude::level(0.3));
+        for choice in VehicleChoice::ALL {
+            let settings = NavigatorSettings {
+                vehicle: choice,
+                ..NavigatorSettings::default()
+            };
+            let has = |component| place_in_state(&settings, component).is_some();
+            let by_air = has(StateComponent::WindNorth) && !has(StateComponent::VelocityForward);
+            let assumed = AssumedAir::of(&unread, &vehicle(&settings), CRUISE);
+            assert_eq!(assumed.velocity != Matrix2::zeros(), by_air, "{choice:?}");
+        }
     }
 }

@@ -49,9 +49,9 @@ pub fn place_in_state(settings: &NavigatorSettings, component: StateComponent) -
 
 /// Noise of what the camera's pose is computed from that is new to the filter in each frame: without what is a state of it.
 pub fn frame_noise(settings: &NavigatorSettings) -> SensorNoise {
-    let knows_heading = settings.vehicle == VehicleChoice::AirplaneFull;
-    let knows_tilt = place_in_state(settings, StateComponent::RollBias).is_some();
-    settings.sensors.without_biases(knows_tilt, knows_heading)
+    let knows = |component| place_in_state(settings, component).is_some();
+    let (tilt, heading) = (StateComponent::RollBias, StateComponent::HeadingBias);
+    settings.sensors.without_biases(knows(tilt), knows(heading))
 }
 
 /// Model of the map's error, if that error is a state of the filter.
@@ -140,5 +140,48 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
             start_bias_deviation: start_wind_deviation,
             ..VelocityDriven::default()
         }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_vision::registration::FollowSettings;
+
+    fn of(vehicle: VehicleChoice) -> NavigatorSettings {
+        NavigatorSettings {
+            vehicle,
+            ..NavigatorSettings::default()
+        }
+    }
+
+    #[test]
+    fn a_heading_bias_is_noise_of_each_frame_where_it_is_no_state() {
+        for choice in VehicleChoice::ALL {
+            let mut settings = of(choice);
+            settings.sensors.yaw_bias = 0.9 * settings.sensors.yaw;
+            let is_noise = frame_noise(&settings).yaw >= settings.sensors.yaw;
+            let bias = place_in_state(&settings, StateComponent::HeadingBias);
+            assert_eq!(is_noise, bias.is_none(), "{choice:?}");
+        }
+    }
+
+    #[test]
+    fn the_largest_model_goes_without_the_biases_of_roll_and_pitch_over_a_map_that_is_off() {
+        for (choice, knows) in [
+            (VehicleChoice::AirplaneGust, true),
+            (VehicleChoice::AirplaneFull, false),
+        ] {
+            let mut settings = of(choice);
+            settings.sensors.tilt_bias = 0.17;
+            let bias = place_in_state(&settings, StateComponent::RollBias);
+            assert!(bias.is_some(), "{choice:?} over a map that is right");
+            settings.whole_frames = Some(FollowSettings {
+                map_deviation: 3.0,
+                ..FollowSettings::default()
+            });
+            let bias = place_in_state(&settings, StateComponent::RollBias);
+            assert_eq!(bias.is_some(), knows, "{choice:?}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, Matrix3, Vector3, dvector};
 
 use super::super::aids::{Aid, AidLook, AidMoment, AssumedAir, Taken, take};
-use super::super::engine::{MeasurementModel, frame_noise, map_error};
+use super::super::engine::{MeasurementModel, frame_noise, map_error, vehicle};
 use super::super::expected::AppearanceModel;
 use super::super::observation::{GaussianState, Observation};
 use super::super::observed_at::ObservedAt;
@@ -51,12 +51,12 @@ impl Navigator {
             _ => None,
         };
         let input = self.inputs.between(&flight, self.time, self.time);
-        let (vehicle, cruise) = (self.settings.vehicle, self.settings.process.cruise);
+        let cruise = self.settings.process.cruise;
         let moment = AidMoment {
             flight: &flight,
             from,
             until: self.time,
-            air: AssumedAir::of(&input, vehicle, cruise),
+            air: AssumedAir::of(&input, &vehicle(&self.settings), cruise),
             look,
         };
         let observed = |aid: &mut Box<dyn Aid>| {
