@@ -11,7 +11,7 @@ use super::{Advance, JobEvent, RunningJob, WorkerState};
 pub struct SensitivityOrder {
     /// The instrument.
     pub instrument: TestedInstrument,
-    /// Deviation of the walk's steps, m/s or radians.
+    /// Standard deviation of the walk's steps, m/s or radians.
     pub deviation: f64,
     /// Number of flights.
     pub runs: u64,

@@ -72,7 +72,7 @@ impl TestedInstrument {
         }
     }
 
-    /// Deviations of a walk's step that the thesis tries, m/s (from ft/s) or radians (from degrees).
+    /// Standard deviations of a walk's step that the thesis tries, m/s (from ft/s) or radians (from degrees).
     pub fn deviations(self) -> [f64; 7] {
         let steps = [0.2, 0.4, 0.6, 1.0, 1.5, 2.0, 2.5];
         steps.map(|step: f64| match self {
@@ -163,7 +163,7 @@ pub fn rms_with_walk(instrument: TestedInstrument, deviation: f64, run: u64) -> 
 pub struct SensitivityRow {
     /// Instrument.
     pub instrument: TestedInstrument,
-    /// Deviation of the walk's steps, m/s or radians.
+    /// Standard deviation of the walk's steps, m/s or radians.
     pub deviation: f64,
     /// Root mean square of the position's error of each run, metres; `None` where the filter could not go on.
     pub rms: Vec<Option<f64>>,

@@ -149,7 +149,7 @@ impl WatchedRun {
         later.map(|moment| moment.error).fold(0.0, f64::max)
     }
 
-    /// Largest stated deviation from a moment on, metres.
+    /// Largest stated standard deviation from a moment on, metres.
     pub fn largest_deviation(&self, from: f64) -> f64 {
         let later = self.moments.iter().filter(|moment| moment.time >= from);
         later.map(|moment| moment.deviation).fold(0.0, f64::max)

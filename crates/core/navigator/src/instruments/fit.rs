@@ -80,7 +80,7 @@ pub struct AirFit {
     pub drift_deviation: f64,
     /// Standard deviation per axis of the wind at the end of the stretch about `wind`, m/s.
     pub wind_deviation: f64,
-    /// The same of a wind that does not walk: what gusts, scale and heading leave open, m/s.
+    /// Standard deviation per axis of a wind that does not walk: what gusts, scale and heading leave open, m/s.
     pub still_wind_deviation: f64,
     /// Standard deviation per axis of what is left of the velocity, m/s.
     pub residual: f64,

@@ -44,13 +44,13 @@ pub struct ReckonSettings {
     pub learns_noise: bool,
     /// Process model of the filter.
     pub airplane: AirplaneScaled,
-    /// Position by satellite navigation per axis, m.
+    /// Standard deviation of a position by satellite navigation per axis, m.
     pub position_deviation: f64,
-    /// Velocity by satellite navigation per axis, m/s.
+    /// Standard deviation of a velocity by satellite navigation per axis, m/s.
     pub velocity_deviation: f64,
     /// Process model of the plain filter.
     pub plain: AirplaneWind,
-    /// Position by satellite navigation per axis, m, as the plain filter takes it.
+    /// Standard deviation of a position by satellite navigation per axis, m, as the plain filter takes it.
     pub plain_position_deviation: f64,
     /// Delays and fits.
     pub calibration: CalibrationSettings,

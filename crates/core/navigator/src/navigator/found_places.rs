@@ -12,7 +12,7 @@ use pilotage_vision::registration::{PosePrior, Registration};
 #[derive(Clone, Copy, Debug)]
 pub struct SearchedRegion {
     pub position: GroundPoint,
-    /// Metres.
+    /// Standard deviation, metres.
     pub deviation: f64,
 }
 

@@ -33,7 +33,7 @@ const TREES: Measured = [
 /// Of what was in view too seldom to be measured: as bad as a large tree.
 const OTHERS: Measured = [(2.6, 0.5); GROUP_SIZES.len() + 1];
 
-/// Deviation of the place of a landmark in a picture from that in the map, metres per axis.
+/// Standard deviation of the place of a landmark in a picture from that in the map, metres per axis.
 pub fn place_deviation(landmark: &GenericLandmark) -> f64 {
     measured(landmark).0
 }

@@ -17,23 +17,23 @@ pub const USUAL_MAP_DEVIATION: f64 = 3.0;
 pub struct FollowSettings {
     /// Height above the ground before anything is known of it, metres.
     pub height: f64,
-    /// Deviation of its natural logarithm.
+    /// Standard deviation of its natural logarithm.
     pub log_height_deviation: f64,
-    /// Deviation of the logarithm of a measured height: the ground is not level, and barometers drift.
+    /// Standard deviation of the logarithm of a measured height: the ground is not level, and barometers drift.
     pub measured_log_height_deviation: f64,
     /// Random walk of the logarithm of the height, 1/√s.
     pub log_height_walk: f64,
-    /// Deviation of a measured heading against the camera, the mount's error included, radians.
+    /// Standard deviation of a measured heading against the camera, the mount's error included, radians.
     pub heading_deviation: f64,
     /// Whether pictures may have been stored turned by quarter turns against the measured heading.
     pub may_be_turned: bool,
-    /// Deviation of roll and pitch, measured or, where nothing measures them, assumed level, radians.
+    /// Standard deviation of roll and pitch, measured or, where nothing measures them, assumed level, radians.
     pub tilt_deviation: f64,
-    /// Deviation of the slope of the ground in view, along each axis: to a camera it looks like a tilt.
+    /// Standard deviation of the slope of the ground in view, along each axis: to a camera it looks like a tilt.
     pub slope_deviation: f64,
-    /// Deviation of how the map is stretched, before a frame has shown it.
+    /// Standard deviation of how the map is stretched, before a frame has shown it.
     pub shape_deviation: f64,
-    /// Deviation of the map's own place per axis, metres: of satellite and aerial maps some 3, of an orthophoto
+    /// Standard deviation of the map's own place per axis, metres: of satellite and aerial maps some 3, of an orthophoto
     /// made with ground control or by the flight itself near 0.
     #[serde(default)]
     pub map_deviation: f64,
