@@ -108,7 +108,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     }
     let log = match opened {
         OpenedPath::Log(log, _) => *log,
-        OpenedPath::Folder(folder) => folder.log(),
+        OpenedPath::Folder(folder) | OpenedPath::Tables(folder) => folder.log(),
         OpenedPath::Nothing(told) => return Err(no_flight(path, &told).into()),
     };
     let topics = chosen(&log, &arguments.topic)?;

@@ -61,7 +61,7 @@ pub fn track(
             }
             (*log, places(found, by), has_height)
         }
-        OpenedPath::Folder(folder) => {
+        OpenedPath::Folder(folder) | OpenedPath::Tables(folder) => {
             let (places, has_height) = of_flight(&folder.flight, kind);
             (folder.log(), places, has_height)
         }

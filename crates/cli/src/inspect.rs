@@ -52,7 +52,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
     }
     let told = match opened {
-        OpenedPath::Folder(folder) => {
+        OpenedPath::Folder(folder) | OpenedPath::Tables(folder) => {
             describe(&folder.flight);
             inspect_log::describe_folder(&folder);
             if arguments.counts {

@@ -161,7 +161,7 @@ fn refuse_others(out: &Path, written: &[&str]) -> CommandResult {
             folder,
             names: vec![name.clone()],
         };
-        if mission_beside_flight(&alone)?.is_some() {
+        if mission_beside_flight(&alone, true)?.is_some() {
             return refuse(name);
         }
     }

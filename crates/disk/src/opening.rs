@@ -18,8 +18,11 @@ use crate::files::{DirectoryFiles, DiskFile};
 
 /// Contents of a path.
 pub enum OpenedPath {
-    /// A flight out of a folder, tables or photos.
+    /// A flight out of a folder or photos.
     Folder(Box<FlightFolder>),
+    /// A flight out of tables, as somebody said what their columns mean or as that was guessed: what lies beside them need
+    /// not be of the flight.
+    Tables(Box<FlightFolder>),
     /// A log of another program, and the files beside it.
     Log(Box<Log>, Arc<dyn FileSet>),
     /// None of these, and why tables among them are none, or empty.
@@ -44,7 +47,7 @@ impl OpenedPath {
     /// A log that tells of no flight.
     pub fn into_flight(self) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
         match self {
-            Self::Folder(mut folder) => {
+            Self::Folder(mut folder) | Self::Tables(mut folder) => {
                 let notes = std::mem::take(&mut folder.notes);
                 Ok(Some((OpenFlight::of_folder(*folder, None), notes)))
             }
@@ -108,7 +111,7 @@ pub(crate) fn open_among(
     let (files, names) = tables_at(&[path.to_owned()])?;
     let maps = said(files.as_ref(), &names, columns)?;
     Ok(match open_tables(&files, &names, maps)? {
-        Some(folder) => OpenedPath::Folder(Box::new(folder)),
+        Some(folder) => OpenedPath::Tables(Box::new(folder)),
         // Text under any other name need not be a table.
         None if !has_ending(path, &TABLES) => OpenedPath::Nothing(String::new()),
         None => OpenedPath::Nothing(nothing(files.as_ref(), &names)),
@@ -175,8 +178,11 @@ fn open_folder(
 ) -> Result<OpenedPath, Box<dyn std::error::Error>> {
     let names = table_names(files.as_ref());
     let maps = said(files.as_ref(), &names, columns)?;
-    if let Some(folder) = flight_among(files, maps.as_deref())? {
-        return Ok(OpenedPath::Folder(Box::new(folder)));
+    if let Some(folder) = flight_among(files, maps.as_deref())?.map(Box::new) {
+        return Ok(match maps {
+            Some(_) => OpenedPath::Tables(folder),
+            None => OpenedPath::Folder(folder),
+        });
     }
     if let Some(source) = log_among(files.as_ref()).and_then(|name| files.source(&name))
         && let Some(mut log) = read_log(source.as_ref())?
@@ -186,7 +192,7 @@ fn open_folder(
     }
     if let Some(folder) = open_tables(files, &names, None)? {
         let folder = with_films_told(folder, files.as_ref());
-        return Ok(OpenedPath::Folder(Box::new(folder)));
+        return Ok(OpenedPath::Tables(Box::new(folder)));
     }
     let why = photos_lack(files.as_ref()).filter(|_| names.is_empty());
     Err(why

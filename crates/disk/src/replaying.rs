@@ -32,6 +32,8 @@ pub struct FlightOnDisk {
     pub read: Vec<PathBuf>,
     /// Files of its folder, zip or MATLAB file.
     files: Option<Arc<dyn FileSet>>,
+    /// Whether it is the flight of a folder, whose GeoJSON is its own, and not of a log or tables.
+    is_folder: bool,
 }
 
 /// The flight at `path`; of telemetry logs that of the system `vehicle`, if one is stated.
@@ -52,6 +54,7 @@ pub fn flight_at(
     if let OpenedPath::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
+    let is_folder = matches!(&opened, OpenedPath::Folder(_));
     let opened = opened.into_flight()?;
     let (open, notes) = opened.ok_or_else(|| no_flight(path, ""))?;
     let read = folder.map_or_else(|| vec![path.to_owned()], |files| files.paths());
@@ -60,6 +63,7 @@ pub fn flight_at(
         notes,
         read,
         files,
+        is_folder,
     })
 }
 
@@ -96,7 +100,9 @@ impl FlightOnDisk {
     ) -> Result<Option<Mission>, Failure> {
         Ok(match (stated, &self.files) {
             (Some(path), _) => Some(OpenMission::read(path)?.package.mission),
-            (None, Some(files)) if !flies_without => mission_beside_flight(files.as_ref())?,
+            (None, Some(files)) if !flies_without => {
+                mission_beside_flight(files.as_ref(), self.is_folder)?
+            }
             (None, _) => None,
         })
     }

@@ -12,6 +12,7 @@ use super::ImportedFile;
 use super::far_away::{FARTHEST, too_far};
 use super::file_pool::contains;
 use super::road_files::{OF_OSM, is_of_roads, roads_of};
+use super::tables::columns_file;
 
 /// Endings that formats of routes and landmarks share with flights, and with anything else.
 const ANYBODYS: [&str; 5] = ["csv", "tsv", "geojson", "json", "txt"];
@@ -39,6 +40,12 @@ pub fn read_exchange(
 pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
     name.ends_with("mission.json")
         || has_ending(name, &["geojson", "json"]) && contains(bytes, b"\"pilotage_mission\"")
+}
+
+/// Whether any GeoJSON among the files is the flight's own: that of a flight folder, photos or what a receiver said
+/// (`is_folder`), unless somebody said what the columns of its tables mean, which may have come with anything.
+pub fn owns_geojson(pool: &dyn FileSet, is_folder: bool) -> bool {
+    is_folder && columns_file(pool).is_none()
 }
 
 /// Whether a file is the table that says when pictures beside a log were taken: no table of places.

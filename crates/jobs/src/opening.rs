@@ -19,10 +19,10 @@ use pilotage_core::mission::{
 use pilotage_core::navigator::{Run, decode_run};
 
 use super::flights::OpenFlight;
-use super::imports::{imports, is_mission, is_picture_table, labels, read_exchange};
+use super::imports::{imports, is_mission, is_picture_table, labels, owns_geojson, read_exchange};
 use super::log_flights::{flight_of_log, foreign_kind, head, log_among};
 use super::table_names::tables_among;
-use super::tables::{columns_file, flight_folder};
+use super::tables::flight_folder;
 use super::worker_state::{MAP_MEMORY, describe};
 use super::{Beside, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 
@@ -58,9 +58,9 @@ pub fn look_through(
     };
     let map = map(pool, &options)?;
     let terrain = terrain(pool, None)?;
-    let mission = mission(pool, flight.is_some())?;
+    let mission = mission_beside_flight(pool, flight.is_some())?;
     let run = run(pool)?;
-    let mut remarks = Vec::new();
+    let mut remarks = foreign_geojson(pool, flight.is_some());
     let log = flight.is_none().then(|| log_among(pool)).flatten();
     let is_told = flight.is_some() || log.is_some() || mission.is_some() || run.is_some();
     let mut tables = if flight.is_some() {
@@ -226,20 +226,41 @@ pub fn places(pool: &dyn FileSet) -> Result<Vec<(String, Geodetic)>, String> {
 
 /// A folder's flight with its pictures and its mission, if one lies in it.
 pub fn open_folder(pool: &Arc<dyn FileSet>, folder: FlightFolder) -> Result<OpenFlight, String> {
-    let mission = mission_beside_flight(pool.as_ref())?;
+    let mission = mission_beside_flight(pool.as_ref(), true)?;
     Ok(OpenFlight::of_folder(folder, mission))
 }
 
-/// The mission among the files of a flight.
+/// The mission among the files: the first that says itself that it is one, or any GeoJSON of a flight whose own that is
+/// (`is_folder`, as [`owns_geojson`] has it). Beside a log, and beside tables, a fence or roads of other programs are none.
+///
+/// ```
+/// use pilotage_core::flight::files::MemoryFiles;
+/// use pilotage_jobs::mission_beside_flight;
+///
+/// let fence = br#"{"type": "FeatureCollection", "features": []}"#;
+/// let files = MemoryFiles([("fence.geojson".to_owned(), fence.to_vec())].into());
+/// assert!(mission_beside_flight(&files, false)?.is_none());
+/// # Ok::<(), String>(())
+/// ```
 ///
 /// # Errors
 /// A mission that cannot be read, with the file's name.
-pub fn mission_beside_flight(pool: &dyn FileSet) -> Result<Option<Mission>, String> {
-    // Tables that were asked about may have come with anything.
-    match columns_file(pool) {
-        Some(_) => Ok(None),
-        None => mission(pool, true),
+pub fn mission_beside_flight(
+    pool: &dyn FileSet,
+    is_folder: bool,
+) -> Result<Option<Mission>, String> {
+    mission(pool, owns_geojson(pool, is_folder))
+}
+
+/// That GeoJSON beside the tables of a flight (`is_folder`), which may be of anything, is left out: a sentence a file.
+fn foreign_geojson(pool: &dyn FileSet, is_folder: bool) -> Vec<String> {
+    if !is_folder || owns_geojson(pool, is_folder) {
+        return Vec::new();
     }
+    let mut names = names_ending_in(pool, &["geojson"]);
+    names.retain(|name| !is_mission(name, &pool.read(name).unwrap_or_default()));
+    let told = |name| format!("{name} was left out: it does not say that it is a mission.");
+    names.into_iter().map(told).collect()
 }
 
 /// The flight among the files: a folder of one, else what a log tells of, all of which is read.
@@ -288,12 +309,12 @@ pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<D
     Ok(Some(dem))
 }
 
-/// The mission among the files; beside a flight any GeoJSON is its mission.
-fn mission(pool: &dyn FileSet, is_flight: bool) -> Result<Option<Mission>, String> {
+/// The mission among the files, which any GeoJSON is if `is_any`.
+fn mission(pool: &dyn FileSet, is_any: bool) -> Result<Option<Mission>, String> {
     let names = names_ending_in(pool, &["json", "geojson"]);
     let found = names.into_iter().find_map(|name| {
         let bytes = pool.read(&name).unwrap_or_default();
-        let is_one = is_mission(&name, &bytes) || is_flight && has_ending(&name, &["geojson"]);
+        let is_one = is_mission(&name, &bytes) || is_any && has_ending(&name, &["geojson"]);
         is_one.then_some((name, bytes))
     });
     let Some((name, bytes)) = found else {
@@ -363,6 +384,7 @@ fn describe_terrain(dem: &Dem) -> TerrainInfo {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::mission::write_mission;
     use pilotage_core::raster::Picture;
     use pilotage_tests::pmtiles::archive_of_one_tile;
 
@@ -510,6 +532,36 @@ mod tests {
         assert_eq!(opened.remarks, ["odd.csv was left out."]);
         let opened = look(&[files[0], ("frames.csv", b"file,time_s\nIMG_1.jpg,3\n")]).unwrap();
         assert!(opened.remarks.is_empty(), "{:?}", opened.remarks);
+    }
+
+    /// A fence as any program writes it.
+    const FENCE: &[u8] = br#"{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {},
+        "geometry": {"type": "Polygon", "coordinates": [[[8.0, 47.0], [8.001, 47.0], [8.001, 47.001], [8.0, 47.0]]]}}]}"#;
+
+    #[test]
+    fn a_fence_is_the_mission_of_a_flight_folder_alone() {
+        let pool = |files: &[(&str, &[u8])]| {
+            let files: Vec<_> = (files.iter())
+                .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec().into()))
+                .collect();
+            FilePool::new(&files, &LentFiles::default()).unwrap()
+        };
+        let folder = pool(&[("fence.geojson", FENCE)]);
+        assert!(mission_beside_flight(&folder, true).unwrap().is_some());
+        assert!(mission_beside_flight(&folder, false).unwrap().is_none());
+        let tables = pool(&[("fence.geojson", FENCE), ("columns.json", b"[]")]);
+        assert!(mission_beside_flight(&tables, true).unwrap().is_none());
+        assert_eq!(foreign_geojson(&tables, true).len(), 1);
+        // Ours says so itself, and is one beside anything.
+        let ours = write_mission(&Mission::new(
+            "m".to_owned(),
+            Geodetic::from_degrees(47.0, 8.0, 0.0),
+        ));
+        for is_folder in [true, false] {
+            let files = pool(&[("m.geojson", ours.as_bytes()), ("columns.json", b"[]")]);
+            assert!(mission_beside_flight(&files, is_folder).unwrap().is_some());
+            assert!(foreign_geojson(&files, is_folder).is_empty());
+        }
     }
 
     #[test]

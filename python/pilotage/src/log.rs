@@ -34,7 +34,7 @@ pub fn read_log(
         let opened = open(&path, columns.as_deref()).map_err(|e| named(&path, &e.to_string()))?;
         match opened.of_vehicle(vehicle)? {
             OpenedPath::Log(log, _) => Ok(*log),
-            OpenedPath::Folder(folder) => Ok(folder.log()),
+            OpenedPath::Folder(folder) | OpenedPath::Tables(folder) => Ok(folder.log()),
             OpenedPath::Nothing(told) => Err(no_flight(&path, &told)),
         }
     };

@@ -1,8 +1,15 @@
 //! `pilotage replay` beside the page: one code flies for both.
 
+use pilotage_core::frames::Geodetic;
+use pilotage_core::mission::{Mission, write_mission};
 use pilotage_core::navigator::{Run, StepTiming, decode_run};
 use pilotage_core::simulate::SimulationChoice;
-use pilotage_jobs::{FlightSource, FlyOrder, InlineWorkers, Job, JobEvent, SimulationOptions};
+use pilotage_jobs::{
+    FlightSource, FlyOrder, InlineWorkers, Job, JobEvent, MapSource, OpenOrder, ProvideOrder,
+    SimulationOptions,
+};
+use pilotage_tests::logs::dataflash::Form;
+use pilotage_tests::logs::made;
 
 use super::folder::Folder;
 
@@ -66,6 +73,82 @@ fn terminal_and_page_fly_the_same_flight_to_the_bit_in_a_world_beside_the_countr
         summary["position_error_m"]["rms"].as_f64() < Some(1.0),
         "{summary}"
     );
+}
+
+/// All that the page's workers answer to a job.
+fn answers(workers: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
+    workers.start(job);
+    let mut all = Vec::new();
+    while workers.busy() {
+        all.extend(workers.events().into_iter().map(|(_, event)| event));
+    }
+    all
+}
+
+/// Whether the page finds a mission among files with a log, and whether it flies the log by one.
+fn by_the_page_of_files(files: &[(&str, &[u8])]) -> [bool; 2] {
+    let mut workers = InlineWorkers::new();
+    let key = "drop".to_owned();
+    let files = files
+        .iter()
+        .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec().into()));
+    let files = files.collect();
+    answers(
+        &mut workers,
+        Job::Provide(ProvideOrder {
+            key: key.clone(),
+            files,
+        }),
+    );
+    let order = OpenOrder {
+        key: key.clone(),
+        near: None,
+        origin: place(),
+    };
+    let opened = answers(&mut workers, Job::Open(order));
+    let opened = opened.into_iter().find_map(|event| match event {
+        JobEvent::Opened(opened) => Some(*opened),
+        _ => None,
+    });
+    let mission = opened.expect("the files open").mission;
+    let has_mission = mission.is_some();
+    let order = FlyOrder {
+        flight: FlightSource::Files(key),
+        map: MapSource::Nothing,
+        mission,
+    };
+    let flown = answers(&mut workers, Job::Fly(order));
+    // The mission that it had to make itself.
+    let is_bare = |event: &JobEvent| matches!(event, JobEvent::Mission(_));
+    [has_mission, !flown.iter().any(is_bare)]
+}
+
+/// The place of the made log.
+fn place() -> Geodetic {
+    Geodetic::from_degrees(-37.96, 144.76, 0.0)
+}
+
+/// A fence as any program writes it.
+const FENCE: &str = r#"{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {}, "geometry":
+    {"type": "Polygon", "coordinates": [[[144.764, -37.959], [144.765, -37.959], [144.765, -37.96], [144.764, -37.959]]]}}]}"#;
+
+#[test]
+fn beside_a_log_page_and_terminal_take_the_same_files_for_its_mission() {
+    let log = made::modern(Form::Binary, 3, 700);
+    let ours = write_mission(&Mission::new("ours".to_owned(), place()));
+    for (beside, is_mission) in [(FENCE, false), (ours.as_str(), true)] {
+        let folder = Folder::new(if is_mission { "log-ours" } else { "log-fence" });
+        folder.write("flight.bin", &log);
+        folder.write("beside.geojson", beside);
+        let said = folder.call(&["replay", ".", "--summary", "s.json"]);
+        let notes = String::from_utf8_lossy(&said.stderr);
+        assert_eq!(!notes.contains("It has no pictures"), is_mission, "{notes}");
+        let files = [
+            ("flight.bin", &log[..]),
+            ("beside.geojson", beside.as_bytes()),
+        ];
+        assert_eq!(by_the_page_of_files(&files), [is_mission; 2]);
+    }
 }
 
 #[test]
