@@ -4,23 +4,25 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::frames::{
+    Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect, LocalFrame,
+};
 use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{Mission, Route, WayPoint, open_dem};
+use pilotage_core::mission::{Mission, Route, WayPoint};
 use pilotage_core::plan::{FlownWay, Proposal, RouteGround, planned_aircraft, take_off_place};
 use pilotage_core::simulate::{Scenario, Wind};
 use pilotage_jobs::{
-    AssessmentOrder, FlightSource, HeightsOrder, MapSource, PlanCircumstances, PlannedPath,
-    PredictionOrder,
+    AssessmentOrder, FlightSource, HeightsOrder, JobEvent, MapSource, PlanCircumstances,
+    PlannedPath, PredictionOrder,
 };
 
 use crate::files::DirectoryFiles;
 use crate::maps::MAP_CACHE;
 use crate::mission_file::OpenMission;
 use crate::replaying::flight_at;
-use crate::workers::Lent;
+use crate::workers::{KEY, Lent, do_here};
 
 /// Source of the map, the mission on it and the camera.
 #[derive(Clone, Debug, Default)]
@@ -172,7 +174,7 @@ impl PlannedFlight {
             Some(path) => {
                 let area = HeightsOrder::of_interest(Some(map.bounds()), &mission);
                 let area = area.ok_or("the map is too large for heights and nothing is planned")?;
-                Some(heights_of(path, frame, area, &mut notes)?)
+                Some(heights_of(path, frame.origin, area, &mut notes)?)
             }
             None => None,
         };
@@ -326,24 +328,32 @@ impl PlannedFlight {
     }
 }
 
-/// Heights of an elevation model over `area`.
+/// Heights of an elevation model over `area`, as the page takes them.
 fn heights_of(
     path: &Path,
-    frame: LocalFrame,
+    origin: Geodetic,
     area: GroundRect,
     notes: &mut Vec<String>,
 ) -> Result<HeightGrid, Box<dyn std::error::Error>> {
-    let files = DirectoryFiles::around(path)?;
     let name = path.file_name().unwrap_or(path.as_os_str());
-    let dem = open_dem(&files, &name.to_string_lossy(), Some(frame), None)?;
-    notes.extend(dem.notes());
-    let mut heights = dem.grid(area, HeightsOrder::MOST_POSTS);
-    while !heights.take_rows(&dem, usize::MAX) {}
-    // Ground that cannot be read may be too high.
-    match dem.problem() {
-        Some(problem) => Err(problem.into()),
-        None => Ok(heights),
-    }
+    let order = HeightsOrder {
+        key: KEY.to_owned(),
+        origin,
+        area,
+        file: Some(name.to_string_lossy().into_owned()),
+    };
+    let lent = Lent::default().with_files(KEY, Arc::new(DirectoryFiles::around(path)?));
+    let mut heights = None;
+    do_here(order, &mut lent.worker(), &mut |event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Remark(note) => notes.push(note),
+            JobEvent::Heights(grid) => heights = Some(*grid),
+            _ => {}
+        }
+        Ok(())
+    })?;
+    Ok(heights.ok_or("the elevation model told no heights")?)
 }
 
 #[cfg(test)]

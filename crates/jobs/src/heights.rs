@@ -2,7 +2,7 @@
 
 use pilotage_core::frames::{GroundRect, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, HeightGrid};
-use pilotage_core::mission::Mission;
+use pilotage_core::mission::{Mission, open_dem};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::SLICE;
@@ -48,11 +48,25 @@ impl TakeHeights {
         }
     }
 
-    fn begin(&self, worker: &WorkerState) -> Result<(Dem, HeightGrid), String> {
+    fn begin(
+        &self,
+        worker: &WorkerState,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<(Dem, HeightGrid), String> {
         let files = worker.files(&self.order.key)?;
-        let frame = LocalFrame::new(self.order.origin);
-        let dem = opening::terrain(files.as_ref(), Some(frame))?;
-        let dem = dem.ok_or("there is no elevation model among the files")?;
+        let frame = Some(LocalFrame::new(self.order.origin));
+        let dem = if let Some(name) = &self.order.file {
+            let dem = open_dem(files.as_ref(), name, frame, None);
+            let dem = dem.map_err(|cause| cause.to_string())?;
+            // Of others they were told when the files were looked through.
+            dem.notes()
+                .into_iter()
+                .for_each(|note| emit(JobEvent::Remark(note)));
+            dem
+        } else {
+            let dem = opening::terrain(files.as_ref(), frame)?;
+            dem.ok_or("there is no elevation model among the files")?
+        };
         let grid = dem.grid(self.order.area, HeightsOrder::MOST_POSTS);
         Ok((dem, grid))
     }
@@ -66,7 +80,7 @@ impl RunningJob for TakeHeights {
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         if self.under_way.is_none() {
-            self.under_way = Some(self.begin(worker)?);
+            self.under_way = Some(self.begin(worker, emit)?);
         }
         let Some((dem, grid)) = &mut self.under_way else {
             return Ok(Advance::Done);
@@ -80,7 +94,9 @@ impl RunningJob for TakeHeights {
             }
         }
         if let Some(problem) = dem.problem() {
-            emit(JobEvent::Remark(problem.to_string()));
+            return Err(format!(
+                "{problem}. Ground that cannot be read may be too high: none of its heights are used"
+            ));
         }
         emit(JobEvent::Heights(Box::new(grid.clone())));
         emit(JobEvent::Finished);

@@ -233,6 +233,7 @@ fn heights_come_from_an_elevation_model_beside_the_map() {
         key: "drop".to_owned(),
         origin: map.origin.unwrap(),
         area: map.bounds,
+        file: None,
     };
     let events = all(&mut host, Job::TakeHeights(Box::new(order)));
     let grid = events.iter().find_map(|event| match event {
@@ -245,4 +246,37 @@ fn heights_come_from_an_elevation_model_beside_the_map() {
         (180.0..180.6).contains(&low) && (186.0..187.0).contains(&high),
         "{low} {high}"
     );
+}
+
+#[test]
+fn an_elevation_model_that_is_readable_in_part_gives_no_heights() {
+    let mut heights = geo_tiff(60, 50, true, |x, _| 180 + x as i16);
+    // The strip is said to lie beyond the end of the file.
+    let at = heights
+        .windows(12)
+        .position(|w| w[..4] == [17, 1, 4, 0])
+        .unwrap();
+    heights[at + 8..at + 12].copy_from_slice(&500_000_u32.to_le_bytes());
+    let mut host = InlineWorkers::new();
+    let map = geo_tiff(400, 300, false, |x, _| (x % 200 + 20) as i16);
+    let files = [("area.tif", map.into()), ("heights.tif", heights.into())];
+    let map = open(&mut host, &files).unwrap().map.unwrap();
+    for file in [None, Some("heights.tif".to_owned())] {
+        let order = HeightsOrder {
+            key: "drop".to_owned(),
+            origin: map.origin.unwrap(),
+            area: map.bounds,
+            file,
+        };
+        let events = all(&mut host, Job::TakeHeights(Box::new(order)));
+        let is_grid = |event: &JobEvent| matches!(event, JobEvent::Heights(_));
+        assert!(!events.iter().any(is_grid));
+        let [.., JobEvent::Failed(why)] = &events[..] else {
+            panic!("{events:?}")
+        };
+        assert!(
+            why.contains("heights.tif") && why.contains("too high"),
+            "{why}"
+        );
+    }
 }

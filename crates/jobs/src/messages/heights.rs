@@ -4,7 +4,8 @@ use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::terrain::HeightDatum;
 use serde::{Deserialize, Serialize};
 
-/// Heights wanted of an area.
+/// Heights wanted of an area: event `Heights`. Ground that cannot be read may be too high: where a part of the area cannot, the
+/// order fails, and gives none.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeightsOrder {
     /// Key of the files with the elevation model.
@@ -13,6 +14,8 @@ pub struct HeightsOrder {
     pub origin: Geodetic,
     /// The ground whose heights are wanted, in the world frame.
     pub area: GroundRect,
+    /// Name of the elevation model among the files; the first that is one by its content if absent.
+    pub file: Option<String>,
 }
 
 /// Description of an elevation model.

@@ -78,7 +78,12 @@ impl HeightWork {
             return;
         };
         if documents.map.terrain.wants(origin, &area) {
-            let order = HeightsOrder { key, origin, area };
+            let order = HeightsOrder {
+                key,
+                origin,
+                area,
+                file: None,
+            };
             self.0 = Some(host.start(JobOwner::Heights, Job::TakeHeights(Box::new(order))));
         }
     }
