@@ -7,36 +7,28 @@ use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::in_log_time;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::{Log, LogOutline, SetParameter};
-use pilotage_core::flight::overview::{Overview, Severity, modes, overview};
-use pilotage_jobs::with_pictures;
+use pilotage_core::flight::overview::{Overview, Severity, modes};
+use pilotage_jobs::{LogGlance, glance_at_folder};
 
 /// Prints what the log is, what measured, what looks wrong and what can be done with it.
 /// Of the files beside it the pictures count.
 pub fn describe(log: &Log, beside: &Arc<dyn FileSet>) {
-    let interpreted = flight_from_log(log);
-    let mut seen = overview(log, &interpreted.measured());
-    let flight = interpreted.into_flight().ok().map(|flight| {
-        let (open, lost, notes) = with_pictures(log, flight, beside);
-        seen.add_pictures(open.flight.frames.len());
-        seen.note_photos(&notes);
-        if let Some(lost) = lost {
-            eprintln!("note: {lost}; its pictures are left out");
-        }
-        open.flight
-    });
-    measured(log, &seen);
-    if let Some(flight) = &flight {
-        crate::inspect_wind::describe(flight);
+    let glance = LogGlance::of(log, flight_from_log(log), beside);
+    if let Some(lost) = &glance.lost_pictures {
+        eprintln!("note: {lost}; its pictures are left out");
     }
-    judged(&seen);
+    measured(log, &glance.overview);
+    if let Ok(open) = &glance.flight {
+        crate::inspect_wind::describe(&open.flight);
+    }
+    judged(&glance.overview);
 }
 
 /// Prints the same of a flight of tables or photos.
 pub fn describe_folder(folder: &FlightFolder) {
     let log = folder.log();
     let beside = log_of_flight(&log, &folder.flight);
-    let mut seen = overview(&log, &beside.measured());
-    seen.add_pictures(folder.flight.frames.len());
+    let seen = glance_at_folder(&log, &beside, &folder.flight);
     measured(&log, &seen);
     crate::inspect_wind::describe(&folder.flight);
     judged(&seen);

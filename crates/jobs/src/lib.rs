@@ -78,7 +78,7 @@ pub use frame_picture::{FramePictureOrder, PictureForm};
 pub use imports::{labels, read_exchange};
 pub use inline::InlineWorkers;
 pub use lent::{LentFiles, OpenAddress};
-pub use log_flights::{foreign_kind, log_among, open_log, with_pictures};
+pub use log_flights::{LogGlance, foreign_kind, glance_at_folder, log_among, open_log};
 pub use map_view::{DescribeMapOrder, TileOrder};
 pub use messages::{
     AidedResult, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder, BriefPictures, COARSE,

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::foreign::{Foreign, foreign_file};
-use pilotage_core::flight::interpret::flight_from_log;
+use pilotage_core::flight::interpret::{BesideFlight, Interpreted, flight_from_log};
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
+use pilotage_core::flight::overview::{Overview, overview};
 use pilotage_core::flight::photo::add_photos;
 use pilotage_core::flight::{Flight, NoPictures};
 use pilotage_core::imagery::ByteSource;
@@ -47,7 +48,7 @@ pub fn foreign_kind(source: &dyn ByteSource) -> Option<Foreign> {
 
 /// A flight with the pictures that lie beside its log, why it has none of them, and what was assumed of photos or why
 /// they are none of it.
-pub fn with_pictures(
+fn with_pictures(
     log: &Log,
     mut flight: Flight,
     files: &Arc<dyn FileSet>,
@@ -75,6 +76,44 @@ pub fn with_pictures(
             Vec::new(),
         ),
     }
+}
+
+/// A log at a glance, and the flight that it tells of.
+pub struct LogGlance {
+    /// Contents of the log, with the pictures beside it.
+    pub overview: Overview,
+    /// The flight with its pictures, or why the log tells of none, in words.
+    pub flight: Result<OpenFlight, String>,
+    /// Reason why the pictures beside the log are left out, if they are.
+    pub lost_pictures: Option<String>,
+}
+
+impl LogGlance {
+    /// A log as it was `interpreted`, and the pictures beside it among `files`.
+    pub fn of(log: &Log, interpreted: Interpreted, files: &Arc<dyn FileSet>) -> Self {
+        let mut overview = overview(log, &interpreted.measured());
+        let flight = interpreted.into_flight().map_err(|why| why.to_string());
+        let mut lost_pictures = None;
+        let flight = flight.map(|flight| {
+            let (open, lost, notes) = with_pictures(log, flight, files);
+            overview.add_pictures(open.flight.frames.len());
+            overview.note_photos(&notes);
+            lost_pictures = lost;
+            open
+        });
+        Self {
+            overview,
+            flight,
+            lost_pictures,
+        }
+    }
+}
+
+/// The log of a flight of tables or photos at a glance.
+pub fn glance_at_folder(log: &Log, beside: &BesideFlight, flight: &Flight) -> Overview {
+    let mut overview = overview(log, &beside.measured());
+    overview.add_pictures(flight.frames.len());
+    overview
 }
 
 /// The flight that a log tells of, with the pictures that lie beside it among `files`, why it has none of them, and what was

@@ -9,13 +9,12 @@ use pilotage_core::flight::interpret::{
     RecordedTrack, flight_from_log, log_of_flight, recorded_tracks,
 };
 use pilotage_core::flight::log::{Log, LogOutline, LogReader, recognise};
-use pilotage_core::flight::overview::overview;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::ByteSource;
 
 use serde::{Deserialize, Serialize};
 
-use super::log_flights::{head, with_pictures};
+use super::log_flights::{LogGlance, glance_at_folder, head};
 use super::opening::open_folder;
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
@@ -140,25 +139,18 @@ impl RunningJob for ReadingLog {
         choose_vehicle(worker.files(&self.key)?.as_ref(), &mut log)?;
         let interpreted = flight_from_log(&log);
         let tracks = recorded_tracks(&mut log, interpreted.measured().found);
-        let mut read = ReadLog {
+        let pool = worker.files(&self.key)?;
+        let glance = LogGlance::of(&log, interpreted, &pool);
+        let frame = glance.flight.as_ref().map(|it| it.flight.frame_on_globe);
+        let read = ReadLog {
             outline: LogOutline::of(&log),
-            overview: overview(&log, &interpreted.measured()),
-            flight: Ok(None),
-            tracks: Vec::new(),
-            lost_pictures: None,
+            overview: glance.overview,
+            tracks: frame.map_or_else(|_| Vec::new(), |frame| on_ground(&tracks, frame)),
+            flight: frame.map_err(Clone::clone),
+            lost_pictures: glance.lost_pictures,
         };
-        match interpreted.into_flight() {
-            Ok(flight) => {
-                read.flight = Ok(flight.frame_on_globe);
-                read.tracks = on_ground(&tracks, flight.frame_on_globe);
-                let pool = worker.files(&self.key)?;
-                let (open, lost, notes) = with_pictures(&log, flight, &pool);
-                read.overview.add_pictures(open.flight.frames.len());
-                read.overview.note_photos(&notes);
-                read.lost_pictures = lost;
-                worker.keep_flight(&self.key, open);
-            }
-            Err(cause) => read.flight = Err(cause.to_string()),
+        if let Ok(open) = glance.flight {
+            worker.keep_flight(&self.key, open);
         }
         emit(JobEvent::LogRead(Box::new(read)));
         emit(JobEvent::Finished);
@@ -199,8 +191,7 @@ impl ReadingLog {
         let mut log = folder.log();
         let beside = log_of_flight(&log, &folder.flight);
         let tracks = recorded_tracks(&mut log, beside.measured().found);
-        let mut overview = overview(&log, &beside.measured());
-        overview.add_pictures(folder.flight.frames.len());
+        let overview = glance_at_folder(&log, &beside, &folder.flight);
         let read = ReadLog {
             outline: LogOutline::of(&log),
             overview,

@@ -9,6 +9,7 @@ mod detect;
 mod export;
 mod folder;
 mod georef;
+mod inspect;
 mod map;
 mod map_work;
 mod numbers;
