@@ -32,6 +32,9 @@ pub struct Arguments {
     /// labelled and those that show mostly the same ground.
     #[arg(long, value_name = "FLIGHT_FOLDER")]
     frames: Option<PathBuf>,
+    /// Most frames of the flight, evenly spread; as many as in the page, 200, if not said.
+    #[arg(long, value_name = "N", requires = "frames", value_parser = clap::value_parser!(u32).range(1..=MOST))]
+    most_frames: Option<u32>,
     /// Photos of each landmark; as many as in the page if not said.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(10..=MOST))]
     photos: Option<u32>,
@@ -53,6 +56,21 @@ pub struct Arguments {
     /// Write everything as JSON.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// The order with the amounts that are stated, and those of the page where none is.
+    fn amounts(&self, usual: EvaluationOrder) -> EvaluationOrder {
+        let stated = |stated: Option<u32>, usual| stated.map_or(usual, |count| count as usize);
+        EvaluationOrder {
+            photos: stated(self.photos, usual.photos),
+            days: stated(self.days, usual.days),
+            seed: self.seed.unwrap_or(usual.seed),
+            most_frames: stated(self.most_frames, usual.most_frames),
+            false_alarms: self.false_alarms.unwrap_or(usual.false_alarms),
+            ..usual
+        }
+    }
 }
 
 /// Evaluates the landmarks.
@@ -87,16 +105,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let order = |landmark: &Landmark| {
         let usual = EvaluationOrder::usual(ground.assessment(landmark, None), flight.clone());
         EvaluationOrder {
-            photos: arguments
-                .photos
-                .map_or(usual.photos, |photos| photos as usize),
-            days: arguments.days.map_or(usual.days, |days| days as usize),
-            seed: arguments.seed.unwrap_or(usual.seed),
             camera: FlownCamera::of(&ground.mission),
             labels: ground.mission.labels.clone(),
-            most_frames: usize::MAX,
-            false_alarms: arguments.false_alarms.unwrap_or(usual.false_alarms),
-            ..usual
+            ..arguments.amounts(usual)
         }
         .in_detail()
     };
@@ -210,4 +221,31 @@ fn chosen(landmarks: &[Landmark], wanted: &[String]) -> Result<Vec<Landmark>, St
         return Err("the mission has no landmark that is switched on".to_owned());
     }
     Ok(chosen)
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Words {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+
+    #[test]
+    fn what_is_not_said_is_as_on_the_page_and_so_are_the_frames_of_a_flight() {
+        let scenario = ["evaluate", "--scenario", "distinct-400ft-calm"];
+        let parsed = |more: &[&str]| Words::parse_from([&scenario[..], more].concat()).arguments;
+        let source = parsed(&[]).source.to_source();
+        let ground = PlannedFlight::at(&source).unwrap();
+        let about = ground.assessment(&ground.mission.landmarks[0], None);
+        let usual = EvaluationOrder::usual(about, None);
+        let frames = ["--frames", "flown"];
+        assert!(parsed(&frames).amounts(usual.clone()) == usual);
+        let few = parsed(&[&frames[..], &["--most-frames", "30"]].concat());
+        assert_eq!(few.amounts(usual).most_frames, 30);
+    }
 }
