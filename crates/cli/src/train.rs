@@ -55,7 +55,7 @@ pub struct Arguments {
     /// Greatest bank or pitch angle, degrees; 15 if not said.
     #[arg(long, value_parser = below_right_angle)]
     tilt: Option<f64>,
-    /// Detector that the mission shall use for them: template, cascade or both.
+    /// Detector that the mission shall use for them from now on: template, cascade or both.
     #[arg(long, default_value = "cascade")]
     detector: String,
     /// Draws photos, days and features.
@@ -198,12 +198,12 @@ fn train(
                     write_cascade(folder, &stems[&landmark.id], &landmark)?;
                 }
                 let kept = mission.landmarks.iter_mut().find(|l| l.id == landmark.id);
-                if let Some(kept) = kept {
-                    kept.keep_trained_text(Some(&outcome.detector));
-                    kept.choose_detector(choice);
-                }
+                let changed = kept.and_then(|kept| keep(kept, &outcome.detector, choice));
                 let row = TrainedRow::of(name, *outcome);
                 print(&row);
+                if let Some(changed) = changed.filter(|_| arguments.write_mission.is_some()) {
+                    println!("  {changed} (--detector template, cascade or both)");
+                }
                 rows.push(row);
             }
             _ => {}
@@ -211,6 +211,22 @@ fn train(
         Ok(())
     })?;
     Ok(rows)
+}
+
+/// Keeps the detector that was trained for a landmark, and by which it shall be looked for; says so where that is another than
+/// before.
+pub fn keep(landmark: &mut Landmark, trained: &str, choice: DetectorChoice) -> Option<String> {
+    let before = landmark.detector_choice();
+    landmark.keep_trained_text(Some(trained));
+    landmark.choose_detector(choice);
+    (choice != before).then(|| {
+        format!(
+            "the mission looks for \"{}\" by {} from now on, no longer by {}",
+            landmark.name,
+            choice.key(),
+            before.key()
+        )
+    })
 }
 
 impl TrainedRow {

@@ -76,6 +76,8 @@ fn a_landmark_is_trained_and_evaluated_on_days_that_it_has_not_seen() {
         said.contains("hit rate") && said.contains("held-out photos"),
         "{said}"
     );
+    let told = format!("looks for \"{name}\" by cascade from now on, no longer by template");
+    assert!(said.contains(&told), "{said}");
     let file = format!("cascades/{}.xml", name.replace(' ', "-"));
     assert!(folder.text(&file).contains("<featureType>HOG"));
 
@@ -144,6 +146,7 @@ fn one_of_two_is_kept(folder: &Folder, name: &str) {
         "{said}"
     );
     assert!(said.contains("does not fit into a picture"), "{said}");
+    assert!(!said.contains("from now on"), "{said}");
     let kept = read_package(folder.text("kept.geojson").as_bytes())
         .expect("a mission")
         .mission;

@@ -15,7 +15,7 @@ use super::piecework::{Piecework, PieceworkOutcome, order_each};
 use super::plan::MapWorkPlan;
 use crate::notes::tell;
 use crate::plan::PlannedFlight;
-use crate::train::labelled_flight;
+use crate::train::{keep, labelled_flight};
 use crate::workers::Lent;
 
 /// A detector that was trained, and how it did. The time that it took is left out: it is another each time.
@@ -145,10 +145,8 @@ impl Piecework for TrainedDetectors {
             );
             words.push_str(&line);
             let kept = mission.landmarks.iter_mut().find(|l| l.id == landmark.id);
-            if let Some(kept) = kept {
-                kept.keep_trained_text(Some(&trained.detector));
-                kept.choose_detector(DetectorChoice::Cascade);
-            }
+            let changed = kept.and_then(|it| keep(it, &trained.detector, DetectorChoice::Cascade));
+            words.extend(changed.map(|changed| format!("  {changed}\n")));
         }
         Ok(PieceworkOutcome {
             name: "mission.geojson",
