@@ -143,7 +143,7 @@ impl Feature for Planner {
 
     fn start(&mut self, context: &mut FeatureContext<'_>) {
         self.assessments.recall(context.host);
-        self.recall_trainings(context);
+        self.trainings.recall(context.host);
     }
 
     fn restore(&mut self, saved: &str) {

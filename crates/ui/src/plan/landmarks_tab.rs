@@ -86,12 +86,12 @@ pub fn landmarks_tab(
     if marked.len() > 1 {
         planner.editor.several(ui, &marked, context);
         ui.add_space(tokens.space);
-        planner.detectors(ui, &marked, context);
+        planner.detectors(ui, &marked, documents, context);
         ui.add_space(tokens.space);
     } else if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
         actions(ui, planner, landmark, context);
         ui.add_space(tokens.space);
-        planner.detectors(ui, &[landmark.id], context);
+        planner.detectors(ui, &[landmark.id], documents, context);
         ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
         ui.add_space(tokens.space);

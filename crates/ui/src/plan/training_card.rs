@@ -92,7 +92,13 @@ impl Planner {
     }
 
     /// Draws by which detector landmarks are looked for; of one, how its training goes or went.
-    pub(super) fn detectors(&self, ui: &mut Ui, ids: &[u32], context: &mut ViewContext<'_>) {
+    pub(super) fn detectors(
+        &self,
+        ui: &mut Ui,
+        ids: &[u32],
+        documents: &Documents,
+        context: &mut ViewContext<'_>,
+    ) {
         let tokens = context.tokens;
         let mission = context.mission;
         let landmarks: Vec<&Landmark> = ids.iter().filter_map(|id| mission.landmark(*id)).collect();
@@ -104,11 +110,10 @@ impl Planner {
         let common = landmarks.iter().all(|l| l.detector_choice() == choice);
         choices(ui, ids, common.then_some(choice), context);
         let trained = landmarks.iter().filter(|l| l.is_trained()).count();
-        let training = self.trainings.of(first).filter(|_| landmarks.len() == 1);
-        let outcome = self
-            .trainings
-            .outcome(first)
-            .filter(|_| landmarks.len() == 1);
+        let training = self.trainings.of(first, documents);
+        let training = training.filter(|_| landmarks.len() == 1);
+        let outcome = self.trainings.outcome(first, documents);
+        let outcome = outcome.filter(|_| landmarks.len() == 1);
         words(ui, &landmarks, trained, outcome, context);
         let under_way = training.filter(|t| t.outcome.is_none() && t.trouble.is_none());
         if let Some(training) = under_way {

@@ -11,29 +11,33 @@ use crate::feature::FeatureContext;
 impl Planner {
     /// Carries a command out.
     pub(super) fn train(&mut self, command: TrainCommand, context: &FeatureContext<'_>) {
+        let documents = &*context.documents;
         let ids = match command {
             TrainCommand::Start(ids) => ids,
             TrainCommand::Selected => self.marked(*context.selection),
             TrainCommand::All => {
-                let wanted = TrainOrder::wanted(&context.documents.mission);
+                let wanted = TrainOrder::wanted(&documents.mission);
                 wanted.map(|landmark| landmark.id).collect()
             }
             TrainCommand::Photos(photos) => {
                 self.preferences.photos = photos;
                 return;
             }
-            TrainCommand::Pause(which) => return self.trainings.pause(which, true),
-            TrainCommand::Resume(which) => return self.trainings.pause(which, false),
-            TrainCommand::Cancel(which) => return self.trainings.cancel(which),
+            TrainCommand::Pause(which) => return self.trainings.pause(which, true, documents),
+            TrainCommand::Resume(which) => return self.trainings.pause(which, false, documents),
+            TrainCommand::Cancel(which) => return self.trainings.cancel(which, documents),
         };
         self.tab = PlanTab::Landmarks;
-        let orders = self.train_orders(&ids, context.documents);
+        let orders = self.train_orders(&ids, documents);
         self.trainings.ask(orders);
     }
 
     /// Keeps detectors that are ready with the landmarks they were trained for.
     pub(super) fn keep_detectors(&mut self, context: &mut FeatureContext<'_>) {
-        for (trained, outcome) in self.trainings.take_ready() {
+        for (map, trained, outcome) in self.trainings.take_ready() {
+            if map != context.documents.map.source {
+                continue;
+            }
             let landmark = context.documents.mission.landmark(trained.id);
             let Some(landmark) = landmark.filter(|l| l.bounds == trained.bounds) else {
                 continue;
@@ -55,10 +59,9 @@ impl Planner {
         }
     }
 
-    /// Takes the trainings of the last visit, and says so if one was left.
-    pub(super) fn recall_trainings(&mut self, context: &mut FeatureContext<'_>) {
-        self.trainings.recall(context.host);
-        let left = self.trainings.left();
+    /// Says so once if a training of what is open was left at the last visit.
+    pub(super) fn tell_left(&mut self, context: &mut FeatureContext<'_>) {
+        let left = self.trainings.take_left(context.documents);
         let Some(first) = left.first() else {
             return;
         };

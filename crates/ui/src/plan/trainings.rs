@@ -8,7 +8,7 @@ use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::host::Host;
 use pilotage_jobs::{
-    Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
+    Job, JobEvent, JobId, MapSource, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
 };
 
 /// Key in the browser's storage.
@@ -45,6 +45,8 @@ pub struct Training {
     job: Option<JobId>,
     /// Whether the job keeps its place without working.
     is_held: bool,
+    /// Whether people have yet to be told that it was left at an earlier visit.
+    is_untold: bool,
     /// Last report of the worker.
     pub report: Option<TrainingReport>,
     /// Activity before the first report, in words.
@@ -62,6 +64,7 @@ impl Training {
             wanted,
             job: None,
             is_held: false,
+            is_untold: false,
             report: None,
             words: String::new(),
             outcome: None,
@@ -100,6 +103,11 @@ impl Training {
         ended.or(told).or_else(left).unwrap_or(0.0)
     }
 
+    /// Whether it is of that landmark of the mission that is open, or of any.
+    fn is_meant(&self, which: Option<u32>, documents: &Documents) -> bool {
+        which.is_none_or(|id| self.order.landmark.id == id) && is_here(self, documents)
+    }
+
     /// Whether it is of the landmark as that is now.
     fn is_of(&self, landmark: &Landmark) -> bool {
         let of = &self.order.landmark;
@@ -122,21 +130,23 @@ pub struct Trainings {
     list: Vec<Training>,
     /// Jobs to be stopped.
     unwanted: Vec<JobId>,
-    /// Detectors to be kept with their landmarks.
-    ready: Vec<(Landmark, TrainingOutcome)>,
+    /// Detectors to be kept with their landmarks, and the map that each is of.
+    ready: Vec<(MapSource, Landmark, TrainingOutcome)>,
     /// Whether there is something new to be stored.
     changed: bool,
 }
 
 impl Trainings {
-    /// The training of a landmark as it is now.
-    pub fn of(&self, landmark: &Landmark) -> Option<&Training> {
-        self.list.iter().find(|t| t.is_of(landmark))
+    /// The training of a landmark as it is now, on the map that is open.
+    pub fn of(&self, landmark: &Landmark, documents: &Documents) -> Option<&Training> {
+        let map = &documents.map.source;
+        let mut all = self.list.iter();
+        all.find(|t| t.order.map == *map && t.is_of(landmark))
     }
 
     /// Result of the training that made the detector which a landmark has.
-    pub fn outcome(&self, landmark: &Landmark) -> Option<&TrainingOutcome> {
-        let outcome = self.of(landmark)?.outcome.as_ref()?;
+    pub fn outcome(&self, landmark: &Landmark, documents: &Documents) -> Option<&TrainingOutcome> {
+        let outcome = self.of(landmark, documents)?.outcome.as_ref()?;
         (landmark.trained_text() == Some(&outcome.detector)).then_some(outcome)
     }
 
@@ -149,14 +159,12 @@ impl Trainings {
         self.list.iter().filter(here)
     }
 
-    /// Trains these; one that was left goes on.
+    /// Trains these; one that was left goes on. Those of other maps, and of what was other ground, stay as they are.
     pub fn ask(&mut self, orders: Vec<TrainOrder>) {
         for order in orders {
-            let known = |t: &&mut Training| t.order.landmark.id == order.landmark.id;
+            let known = |t: &&mut Training| t.order.map == order.map && t.is_of(&order.landmark);
             match self.list.iter_mut().find(known) {
-                Some(t) if !t.is_over() && t.order.landmark.bounds == order.landmark.bounds => {
-                    t.wanted = true;
-                }
+                Some(t) if !t.is_over() => t.wanted = true,
                 Some(t) => {
                     self.unwanted.extend(t.job.take());
                     *t = Training::new(order, true);
@@ -166,20 +174,20 @@ impl Trainings {
         }
     }
 
-    /// Lets trainings keep their place, or go on: of one landmark, or all that are not over.
-    pub fn pause(&mut self, which: Option<u32>, pause: bool) {
+    /// Lets trainings of the mission keep their place, or go on: of one landmark, or all that are not over.
+    pub fn pause(&mut self, which: Option<u32>, pause: bool, documents: &Documents) {
         for t in &mut self.list {
-            if which.is_none_or(|id| t.order.landmark.id == id) && !t.is_over() {
+            if t.is_meant(which, documents) && !t.is_over() {
                 t.wanted = !pause;
             }
         }
     }
 
-    /// Forgets the training of one landmark, or all that are not done.
-    pub fn cancel(&mut self, which: Option<u32>) {
+    /// Forgets the training of one landmark of the mission, or all that are not done.
+    pub fn cancel(&mut self, which: Option<u32>, documents: &Documents) {
         let unwanted = &mut self.unwanted;
         self.list.retain_mut(|t| {
-            let stays = t.outcome.is_some() || which.is_some_and(|id| t.order.landmark.id != id);
+            let stays = t.outcome.is_some() || !t.is_meant(which, documents);
             if !stays {
                 unwanted.extend(t.job.take());
             }
@@ -196,16 +204,22 @@ impl Trainings {
         let kept = kept.into_iter().filter(|k| k.program == program());
         self.list = kept
             .map(|kept| Training {
+                is_untold: kept.outcome.is_none(),
                 outcome: kept.outcome,
                 ..Training::new(kept.order, false)
             })
             .collect();
     }
 
-    /// Names of the landmarks of which a training is not over.
-    pub fn left(&self) -> Vec<&str> {
-        let left = self.list.iter().filter(|t| !t.is_over());
-        left.map(|t| t.order.landmark.name.as_str()).collect()
+    /// Names of the landmarks of the mission that is open of which a training was left at an earlier visit, once.
+    pub fn take_left(&mut self, documents: &Documents) -> Vec<String> {
+        let untold = self.list.iter_mut();
+        let untold = untold.filter(|t| t.is_untold && is_here(t, documents));
+        let told = untold.map(|t| {
+            t.is_untold = false;
+            t.order.landmark.name.clone()
+        });
+        told.collect()
     }
 
     /// Encodes the trainings that are to be kept.
@@ -284,8 +298,8 @@ impl Trainings {
             JobEvent::Trained(outcome) => {
                 t.outcome = Some(outcome.as_ref().clone());
                 t.order.left = None;
-                let landmark = t.order.landmark.clone();
-                self.ready.push((landmark, outcome.as_ref().clone()));
+                let (map, landmark) = (t.order.map.clone(), t.order.landmark.clone());
+                self.ready.push((map, landmark, outcome.as_ref().clone()));
                 self.changed = true;
             }
             JobEvent::Failed(why) => {
@@ -299,8 +313,8 @@ impl Trainings {
         true
     }
 
-    /// Outcomes that nobody has taken yet, each with the landmark as it was trained for.
-    pub fn take_ready(&mut self) -> Vec<(Landmark, TrainingOutcome)> {
+    /// Outcomes that nobody has taken yet, each with the map and the landmark as it was trained for.
+    pub fn take_ready(&mut self) -> Vec<(MapSource, Landmark, TrainingOutcome)> {
         std::mem::take(&mut self.ready)
     }
 
@@ -347,5 +361,72 @@ pub fn left_words(left: Option<&TrainingLeft>) -> String {
     match left {
         Some(left) => format!("Paused at stage {}", left.stages.len() + 1),
         None => "Paused".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+
+    use super::super::planner::Planner;
+    use super::*;
+    use crate::documents::Session;
+
+    /// A mission over the map of a world with one landmark there, whose id is 1.
+    fn over(world: &str, east: f64) -> Documents {
+        let mut documents = Documents::new(&Session::demo());
+        let bounds = GroundRect::centered(GroundPoint::new(0.0, east), 20.0, 20.0);
+        documents.mission.landmarks = vec![Landmark::new(1, "Barn", bounds)];
+        documents.map.source = MapSource::world(world);
+        documents
+    }
+
+    fn order(documents: &Documents) -> Vec<TrainOrder> {
+        Planner::default().train_orders(&[1], documents)
+    }
+
+    #[test]
+    fn a_mission_of_another_map_leaves_the_trainings_of_the_same_number_alone() {
+        let (here, there) = (over("here", 0.0), over("there", 0.0));
+        let mut trainings = Trainings::default();
+        let mut left = order(&here);
+        left[0].left = Some(TrainingLeft {
+            progress: vec![1],
+            stages: Vec::new(),
+            seconds: 5.0,
+        });
+        trainings.ask(left);
+        trainings.pause(None, true, &here);
+        trainings.ask(order(&there));
+        trainings.pause(None, false, &there);
+        trainings.cancel(None, &there);
+        assert_eq!(trainings.unfinished(&there).count(), 0);
+        let first = trainings.unfinished(&here).next();
+        let first = first.expect("the training of the first mission");
+        assert_eq!(first.state(), TrainingState::Paused);
+        assert!((first.seconds() - 5.0).abs() < 1e-9, "its stages are kept");
+        assert!(first.is_of(&here.mission.landmarks[0]));
+    }
+
+    #[test]
+    fn a_training_is_of_the_ground_of_its_landmark() {
+        let (before, after) = (over("here", 0.0), over("here", 90.0));
+        let mut trainings = Trainings::default();
+        trainings.ask(order(&before));
+        trainings.ask(order(&after));
+        trainings.cancel(Some(1), &after);
+        assert_eq!(trainings.unfinished(&before).count(), 1);
+        assert!(trainings.of(&after.mission.landmarks[0], &after).is_none());
+    }
+
+    #[test]
+    fn what_was_left_is_told_once_where_it_can_be_resumed() {
+        let (here, there) = (over("here", 0.0), over("there", 0.0));
+        let mut trainings = Trainings::default();
+        trainings.ask(order(&here));
+        trainings.list[0].is_untold = true;
+        assert!(trainings.take_left(&there).is_empty());
+        assert_eq!(trainings.take_left(&here), ["Barn"]);
+        assert!(trainings.take_left(&here).is_empty());
     }
 }

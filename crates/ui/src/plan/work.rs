@@ -43,6 +43,7 @@ impl Planner {
             self.assessments.keep_to(context.documents, height);
         }
         self.assessments.work(context);
+        self.tell_left(context);
         self.trainings.work(context);
         self.keep_detectors(context);
         self.check_incursions(context.documents);
