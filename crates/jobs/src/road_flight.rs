@@ -139,7 +139,7 @@ impl RunningJob for FlyByRoads {
                         let place = truth.position(time)?;
                         Some(GroundPoint::new(place.x, place.y))
                     };
-                    let roads = RoadMap::new(mission.roads.clone(), RoadJoining::SHARED_POINTS);
+                    let roads = RoadMap::new(mission.roads.to_vec(), RoadJoining::SHARED_POINTS);
                     let runs = (aided.as_ref(), &passage.into_run());
                     emit(JobEvent::of_figures(&judged(&roads, true_place, runs))?);
                     emit(JobEvent::Finished);

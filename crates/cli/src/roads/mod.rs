@@ -180,7 +180,7 @@ fn import(name: &str, path: &PathBuf, least: RoadClass, replace: bool) -> Comman
     let taken: Vec<RoadLine> = taken.collect();
     let read = taken.len();
     let new = without_known(&mission.roads, taken);
-    mission.roads.extend(new);
+    mission.roads.make_mut().extend(new);
     let (count, added) = (mission.roads.len(), mission.roads.len() - kept);
     // What was a zip stays one, with the map that is in it.
     let after = if before.starts_with(b"PK") {

@@ -198,7 +198,8 @@ fn a_mission_says_what_it_leaves_behind_and_is_not_written_over_itself() {
         width: 3.0,
         course: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(90.0, 10.0)],
         properties: BTreeMap::new(),
-    }];
+    }]
+    .into();
     let before = write_mission(&mission);
     folder.write("m.geojson", &before);
     for target in ["out.geojson", "out.kml"] {

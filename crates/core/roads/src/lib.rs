@@ -11,6 +11,7 @@ pub mod lost;
 mod map;
 mod repeats;
 mod segments;
+mod shared;
 mod straight;
 mod weave;
 
@@ -21,5 +22,6 @@ pub use line::{RoadClass, RoadLine};
 pub use map::{RoadCrossing, RoadEdge, RoadMap};
 pub use repeats::without_known;
 pub use segments::NearRoad;
+pub use shared::{RoadsMark, SharedRoads};
 pub use straight::StraightRoad;
 pub use weave::RoadJoining;

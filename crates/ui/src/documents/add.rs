@@ -37,7 +37,9 @@ impl Documents {
             let roads = file.roads.len();
             let new = without_known(&self.mission.roads, file.roads);
             added.known_roads += roads - new.len();
-            self.mission.roads.extend(new);
+            if !new.is_empty() {
+                self.mission.roads.make_mut().extend(new);
+            }
             for mut point in file.rally {
                 point.name = self.mission.free_rally_name(&point.name);
                 self.mission.rally.push(point);

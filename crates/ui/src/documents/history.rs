@@ -122,6 +122,8 @@ impl History {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::roads::RoadLine;
+
     use super::*;
     use crate::documents::empty_mission;
 
@@ -179,6 +181,19 @@ mod tests {
         history.remember(&named("another"));
         assert_eq!(history.give_up(&named("saved+"), without), None);
         assert_eq!(history.depth(), (3, 0));
+    }
+
+    #[test]
+    fn all_steps_share_the_roads_that_none_of_them_changed() {
+        let mut mission = named("0");
+        mission.roads = vec![RoadLine::default(); 50_000].into();
+        let mut history = History::default();
+        for index in 1..=DEPTH {
+            history.remember(&mission);
+            mission.name = index.to_string();
+        }
+        let is_shared = |it: &Mission| it.roads.is_shared_with(&mission.roads);
+        assert!(history.past.len() == DEPTH && history.past.iter().all(is_shared));
     }
 
     #[test]

@@ -177,7 +177,7 @@ impl Documents {
                     landmarks: own.landmarks,
                     no_fly: own.no_fly,
                     rally: own.rally,
-                    roads: own.roads,
+                    roads: own.roads.to_vec(),
                 }]);
             }
         }

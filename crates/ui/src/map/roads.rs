@@ -2,7 +2,7 @@
 
 use egui::{Painter, Pos2, Rect, Shape, Stroke};
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::roads::{RoadClass, RoadLine, nearest_share};
+use pilotage_core::roads::{RoadClass, RoadLine, RoadsMark, SharedRoads, nearest_share};
 
 use super::transform::ScreenFromWorld;
 use crate::tokens::Tokens;
@@ -32,24 +32,24 @@ struct DrawnRoad {
 /// The roads as they are drawn at about one scale.
 #[derive(Clone, Debug, Default)]
 pub struct DrawnRoads {
-    /// Fingerprint of the roads and octave of the scale that they were made for.
-    made_of: (u64, i32),
+    /// Roads and octave of the scale that they were made for.
+    made_of: (RoadsMark, i32),
     roads: Vec<DrawnRoad>,
     crossings: Vec<GroundPoint>,
 }
 
 impl DrawnRoads {
     /// Follows the mission's roads at a scale, metres per point.
-    pub fn follow(&mut self, roads: &[RoadLine], metres_per_point: f64) {
+    pub fn follow(&mut self, roads: &SharedRoads, metres_per_point: f64) {
         let octave = metres_per_point.log2().floor() as i32;
-        let made_of = (fingerprint(roads), octave);
-        if self.made_of == made_of {
+        let are_same = self.made_of.0.is_of(roads);
+        if are_same && self.made_of.1 == octave {
             return;
         }
-        if self.made_of.0 != made_of.0 {
+        if !are_same {
             self.crossings = crossings(roads);
         }
-        self.made_of = made_of;
+        self.made_of = (roads.mark(), octave);
         let tolerance = TOLERANCE * 2_f64.powi(octave);
         let drawn = roads.iter().filter_map(|road| {
             Some(DrawnRoad {
@@ -115,22 +115,6 @@ impl DrawnRoads {
             }
         }
     }
-}
-
-/// A number that differs where roads differ in what is drawn of them.
-fn fingerprint(roads: &[RoadLine]) -> u64 {
-    let mut sum = roads.len() as u64;
-    let mut add = |bits: u64| sum = (sum.rotate_left(5) ^ bits).wrapping_mul(0x517c_c1b7_2722_0a95);
-    for road in roads {
-        add(road.class as u64);
-        add(road.width.to_bits());
-        add(road.course.len() as u64);
-        for point in &road.course {
-            add(point.north.to_bits());
-            add(point.east.to_bits());
-        }
-    }
-    sum
 }
 
 /// Places where three ways or more meet in a point that they share.
@@ -210,7 +194,7 @@ mod tests {
             ..MapCamera::default()
         };
         let mut drawn = DrawnRoads::default();
-        drawn.follow(roads, metres_per_point);
+        drawn.follow(&roads.to_vec().into(), metres_per_point);
         let shown = drawn.in_view(&camera.screen_from_world(rect), rect);
         shown.iter().map(|it| (it.class, it.course.len())).collect()
     }
@@ -258,9 +242,9 @@ mod tests {
     #[test]
     fn a_road_that_was_moved_is_drawn_where_it_is() {
         let mut drawn = DrawnRoads::default();
-        let mut roads = [road(RoadClass::Track, &[(0.0, 0.0), (50.0, 0.0)])];
+        let mut roads = SharedRoads::from(vec![road(RoadClass::Track, &[(0.0, 0.0), (50.0, 0.0)])]);
         drawn.follow(&roads, 1.0);
-        roads[0].course[1].east = 7.0;
+        roads.make_mut()[0].course[1].east = 7.0;
         drawn.follow(&roads, 1.0);
         assert_eq!(drawn.roads[0].course, roads[0].course);
     }

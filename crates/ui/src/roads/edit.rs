@@ -12,7 +12,7 @@ impl Documents {
     pub fn add_road(&mut self, class: RoadClass, course: Vec<GroundPoint>) -> usize {
         self.mission.remember();
         self.mission.is_edited = true;
-        self.mission.roads.push(RoadLine {
+        self.mission.roads.make_mut().push(RoadLine {
             class,
             width: class.usual_width(),
             course,
@@ -54,7 +54,7 @@ impl Documents {
         let is_other = road != *old;
         if is_other {
             self.mission.history.begin_drag(&self.mission.content);
-            self.mission.roads[index] = road;
+            self.mission.roads.make_mut()[index] = road;
             self.mission.is_edited = true;
         }
         if finished {
@@ -69,7 +69,7 @@ impl Documents {
         if is_there {
             self.mission.remember();
             self.mission.is_edited = true;
-            self.mission.roads.remove(index);
+            self.mission.roads.make_mut().remove(index);
         }
         is_there
     }
@@ -88,8 +88,9 @@ impl Documents {
         };
         self.mission.remember();
         self.mission.is_edited = true;
-        self.mission.roads[index].course.truncate(point + 1);
-        self.mission.roads.insert(index + 1, rest);
+        let roads = self.mission.roads.make_mut();
+        roads[index].course.truncate(point + 1);
+        roads.insert(index + 1, rest);
         true
     }
 
@@ -103,14 +104,17 @@ impl Documents {
         let course = joined(&one.course, &other.course);
         self.mission.remember();
         self.mission.is_edited = true;
-        self.mission.roads[first].course = course;
-        self.mission.roads.remove(second);
+        let roads = self.mission.roads.make_mut();
+        roads[first].course = course;
+        roads.remove(second);
         Some(first - usize::from(second < first))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::roads::SharedRoads;
+
     use super::*;
     use crate::documents::Session;
 
@@ -122,7 +126,7 @@ mod tests {
 
     fn with_road(east: &[f64]) -> Documents {
         let mut documents = Documents::new(&Session::demo());
-        documents.mission.roads.clear();
+        documents.mission.roads = SharedRoads::default();
         documents.add_road(RoadClass::Track, line(east));
         documents
     }

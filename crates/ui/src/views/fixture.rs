@@ -18,6 +18,7 @@ use pilotage_core::navigator::{
 };
 use pilotage_core::raster::Gray;
 use pilotage_core::reference::GenericClass;
+use pilotage_core::roads::SharedRoads;
 
 use pilotage_jobs::MatchPictures;
 
@@ -219,7 +220,7 @@ impl Fixture {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
-            roads: Vec::new(),
+            roads: SharedRoads::default(),
             labels: Vec::new(),
             camera: None,
             camera_to_log: None,

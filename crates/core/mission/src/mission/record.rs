@@ -10,7 +10,7 @@ use crate::settings::{CameraAdjustment, NavigatorSettings};
 use pilotage_base::frames::{AltitudeReference, Geodetic};
 use pilotage_flight::Flight;
 use pilotage_raster::camera::CameraModel;
-use pilotage_roads::RoadLine;
+use pilotage_roads::SharedRoads;
 use pilotage_vision::landmark::Landmark;
 
 /// Member of the file with the height of level ground, metres above mean sea level. The world's plane
@@ -47,7 +47,7 @@ pub struct Mission {
     pub rally: Vec<RallyPoint>,
     /// Roads; shared points join them.
     #[serde(default)]
-    pub roads: Vec<RoadLine>,
+    pub roads: SharedRoads,
     /// Labels that people gave the pictures of flights, in the order of the pictures' names.
     #[serde(default)]
     pub labels: Vec<FrameLabels>,
@@ -87,7 +87,7 @@ impl Mission {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
-            roads: Vec::new(),
+            roads: SharedRoads::default(),
             labels: Vec::new(),
             camera: None,
             camera_to_log: None,

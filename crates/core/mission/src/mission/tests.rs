@@ -58,7 +58,8 @@ fn mission() -> Mission {
                 .map(|(n, e)| GroundPoint::new(n, e))
                 .to_vec(),
             properties: [("lanes".to_owned(), "2".to_owned())].into(),
-        }],
+        }]
+        .into(),
         labels: vec![FrameLabels {
             flight: "Farm from 46.800000°, -92.000000°".to_owned(),
             frame: "00007.jpg".to_owned(),

@@ -31,7 +31,7 @@ impl KnownGround {
     /// All that `mission` knows, over its map.
     pub fn of(mission: &Mission, map: Arc<dyn Imagery>) -> Self {
         Self {
-            roads: mission.roads.clone(),
+            roads: mission.roads.to_vec(),
             ..Self::new(map).with_landmarks(&mission.landmarks)
         }
     }

@@ -538,7 +538,7 @@ mod tests {
         let scenario = Scenario::named("roads-400ft").unwrap();
         let mission = scenario.mission();
         assert!(mission.landmarks.is_empty());
-        let roads = RoadMap::new(mission.roads.clone(), RoadJoining::SHARED_POINTS);
+        let roads = RoadMap::new(mission.roads.to_vec(), RoadJoining::SHARED_POINTS);
         let flight = scenario.fly(1, &Overrides::default());
         let truth = flight.truth.unwrap();
         for state in &truth.states {
