@@ -554,8 +554,7 @@ impl Navigator {
         } else {
             self.recovery = None;
         }
-        let (agreed, nis, threshold) = agreed;
-        let (mut joint, mut taken) = (None, None);
+        let ((agreed, nis, threshold), mut joint, mut taken) = (agreed, None, None);
         if !agreed.is_empty() {
             let seen = observation(&self.settings, &agreed, &model, &pose);
             let step = seen.correct(self.engine.as_mut())?;
