@@ -41,7 +41,10 @@ lessons! {
 #[cfg(test)]
 mod tests {
     use nalgebra::DMatrix;
-    use pilotage_core::navigator::UpdateReport;
+    use pilotage_core::navigator::{NavigatorSettings, UpdateReport, visit_model};
+    use pilotage_core::simulate::Scenario;
+    use pilotage_core::vehicle::{StateComponent, VehicleModel, VehicleVisitor};
+    use pilotage_jobs::SimulationOptions;
 
     use super::*;
     use crate::units::Units;
@@ -64,6 +67,47 @@ mod tests {
                     assert!(linked(stop).is_some(), "{}: {stop}", lesson.name);
                 }
             }
+        }
+    }
+
+    /// Words of a lesson.
+    fn words(lesson: &str) -> &'static str {
+        let found = pilotage_lessons::all().find(lesson);
+        found.expect("the lesson is there").2.text
+    }
+
+    /// Settings of the filter of the flight that lessons lead to.
+    fn of_the_flight() -> NavigatorSettings {
+        let demo = SimulationOptions::demo();
+        let scenario = Scenario::named(&demo.scenario).expect("the demo is a scenario");
+        scenario.mission().navigator
+    }
+
+    #[test]
+    fn lessons_on_wind_say_which_errors_of_instruments_the_filter_of_the_flight_knows() {
+        let settings = of_the_flight();
+        let layout = visit_model(&settings, Layout);
+        for bias in [StateComponent::AirspeedBias, StateComponent::HeadingBias] {
+            assert!(layout.contains(&bias), "{layout:?}");
+        }
+        let airspeed = settings.process.airspeed_bias;
+        let heading = settings.process.heading_bias.to_degrees();
+        let said = format!(
+            "among the states of that filter, known beforehand to {airspeed:.1} m/s and {heading:.1}°"
+        );
+        assert!(words("wind-on-turns").contains(&said), "{said}");
+        let said = "right to half a degree or so, which its filter knows";
+        assert!(words("compass-off").contains(said) && (0.3..0.7).contains(&heading));
+    }
+
+    /// Components of the state of a filter.
+    struct Layout;
+
+    impl VehicleVisitor for Layout {
+        type Output = Vec<StateComponent>;
+
+        fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
+            model.layout().to_vec()
         }
     }
 
