@@ -100,6 +100,17 @@ mod tests {
         assert!(words("compass-off").contains(said) && (0.3..0.7).contains(&heading));
     }
 
+    #[test]
+    fn the_lesson_on_alpha_says_how_many_numbers_the_filter_of_the_flight_has() {
+        let settings = of_the_flight();
+        let layout = visit_model(&settings, Layout);
+        assert_eq!((layout.len(), settings.alpha), (10, 1.0));
+        let eta = (layout.len() as f64).sqrt();
+        let said =
+            format!("has ten numbers: with α = 1 its points stand √10 = {eta:.2} deviations out");
+        assert!(words("alpha-beta-kappa").contains(&said), "{said}");
+    }
+
     /// Components of the state of a filter.
     struct Layout;
 
