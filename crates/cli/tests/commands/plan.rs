@@ -86,7 +86,7 @@ pub fn mission() -> Mission {
         }],
         no_fly: Vec::new(),
         rally: Vec::new(),
-        roads: Vec::new(),
+        roads: Vec::new().into(),
         labels: Vec::new(),
         camera: Some(CameraModel::pinhole(320, 240, 0.8)),
         camera_to_log: None,

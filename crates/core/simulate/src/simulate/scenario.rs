@@ -379,9 +379,9 @@ impl Scenario {
             no_fly: Vec::new(),
             rally: Vec::new(),
             roads: if self.aids.contains(&ROAD_MAP.aid) {
-                map.road_map().lines().to_vec()
+                map.road_map().lines().to_vec().into()
             } else {
-                Vec::new()
+                Vec::new().into()
             },
             labels: Vec::new(),
             camera: Some(camera_of(self.picture_width)),

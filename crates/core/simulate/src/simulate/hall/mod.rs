@@ -175,7 +175,7 @@ impl IndoorHall {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
-            roads: Vec::new(),
+            roads: Vec::new().into(),
             labels: Vec::new(),
             camera: Some(Self::camera()),
             camera_to_log: None,
