@@ -23,8 +23,6 @@ pub enum RoadChange {
     Class(RoadClass),
     /// Another width, metres.
     Width(f64),
-    /// Another place for a point.
-    Move(usize, GroundPoint),
     /// A new point before the one of that index.
     Insert(usize, GroundPoint),
     /// A point less.
@@ -50,6 +48,15 @@ pub enum RoadCommand {
     NextPoint,
     /// Put the selected point into the middle of the map.
     MoveHere,
+    /// Put these points, each of a road and its index there, to a place.
+    Move {
+        /// Points: one of the selected road, and those of other roads that it is a crossing with.
+        points: Vec<(usize, usize)>,
+        /// Place.
+        to: GroundPoint,
+        /// Whether the drag is over.
+        finished: bool,
+    },
     /// Change the selected road.
     Change {
         /// Change.

@@ -4,21 +4,66 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::command::RoadChange;
-use super::geometry::joined;
+use super::geometry::{joined, through};
 use crate::documents::Documents;
 
 impl Documents {
-    /// Adds a road of the usual width of its class; its index.
+    /// Adds a road of the usual width of its class, with a crossing where it has a point on another; its index.
     pub fn add_road(&mut self, class: RoadClass, course: Vec<GroundPoint>) -> usize {
         self.mission.remember();
         self.mission.is_edited = true;
         self.mission.roads.make_mut().push(RoadLine {
             class,
             width: class.usual_width(),
-            course,
+            course: course.clone(),
             ..RoadLine::default()
         });
-        self.mission.roads.len() - 1
+        let index = self.mission.roads.len() - 1;
+        self.cross(&[index], &course);
+        index
+    }
+
+    /// Gives every road, but for those of `own`, that leads through one of `places` a point there: they cross.
+    fn cross(&mut self, own: &[usize], places: &[GroundPoint]) {
+        for place in places {
+            for (road, piece) in through(&self.mission.roads, own, *place) {
+                let roads = self.mission.roads.make_mut();
+                roads[road].course.insert(piece + 1, *place);
+            }
+        }
+    }
+
+    /// Puts points, each of a road and its index there, to one place, which is a crossing where another road leads through
+    /// it; `finished` says that a drag is over. Whether that moved one: the whole drag, once it is over.
+    pub fn move_road_points(
+        &mut self,
+        points: &[(usize, usize)],
+        to: GroundPoint,
+        finished: bool,
+    ) -> bool {
+        let roads = &self.mission.roads;
+        let at = |(road, point): &(usize, usize)| roads.get(*road)?.course.get(*point);
+        let is_moved = points.iter().filter_map(at).any(|place| *place != to);
+        if is_moved {
+            self.mission.history.begin_drag(&self.mission.content);
+            let roads = self.mission.roads.make_mut();
+            for (road, point) in points {
+                let road = roads.get_mut(*road);
+                if let Some(place) = road.and_then(|road| road.course.get_mut(*point)) {
+                    *place = to;
+                }
+            }
+            self.mission.is_edited = true;
+        }
+        if finished {
+            let before = self.mission.history.before_drag();
+            if before.is_some_and(|before| before.roads != self.mission.roads) {
+                let own: Vec<usize> = points.iter().map(|it| it.0).collect();
+                self.cross(&own, &[to]);
+            }
+            return self.mission.history.finish_drag(&self.mission.content);
+        }
+        is_moved
     }
 
     /// Changes a road; `finished` says that a drag is over. Whether that made another road of it: the whole drag, once it
@@ -38,11 +83,6 @@ impl Documents {
                 road.class = class;
             }
             RoadChange::Width(width) => road.width = width,
-            RoadChange::Move(point, to) => {
-                if let Some(place) = road.course.get_mut(point) {
-                    *place = to;
-                }
-            }
             RoadChange::Insert(before, at) if before <= road.course.len() => {
                 road.course.insert(before, at);
             }
@@ -113,8 +153,9 @@ impl Documents {
 
 #[cfg(test)]
 mod tests {
-    use pilotage_core::roads::SharedRoads;
+    use pilotage_core::roads::{RoadJoining, RoadMap, SharedRoads};
 
+    use super::super::geometry::alike;
     use super::*;
     use crate::documents::Session;
 
@@ -158,7 +199,7 @@ mod tests {
         let mut documents = with_road(&[0.0, 10.0]);
         for east in [12.0, 14.0, 16.0] {
             let to = GroundPoint::new(0.0, east);
-            assert!(documents.edit_road(0, RoadChange::Move(1, to), east == 16.0));
+            assert!(documents.move_road_points(&[(0, 1)], to, east == 16.0));
         }
         assert_eq!(documents.mission.roads[0].course, line(&[0.0, 16.0]));
         documents.undo();
@@ -168,15 +209,17 @@ mod tests {
     #[test]
     fn an_edit_says_whether_it_made_another_road() {
         let mut documents = with_road(&[0.0, 10.0]);
-        let to = |east: f64| RoadChange::Move(1, GroundPoint::new(0.0, east));
-        assert!(!documents.edit_road(0, to(10.0), true));
-        assert!(!documents.edit_road(0, RoadChange::Move(7, GroundPoint::default()), true));
-        assert!(!documents.edit_road(3, to(12.0), true));
+        let mut moved = |point: (usize, usize), east: f64, finished| {
+            documents.move_road_points(&[point], GroundPoint::new(0.0, east), finished)
+        };
+        assert!(!moved((0, 1), 10.0, true));
+        assert!(!moved((0, 7), 0.0, true));
+        assert!(!moved((3, 1), 12.0, true));
         // Dragged away; then the mouse is let go at the same place, and after another drag where it was grasped.
-        assert!(documents.edit_road(0, to(12.0), false));
-        assert!(documents.edit_road(0, to(12.0), true));
-        assert!(documents.edit_road(0, to(14.0), false));
-        assert!(!documents.edit_road(0, to(12.0), true));
+        assert!(moved((0, 1), 12.0, false));
+        assert!(moved((0, 1), 12.0, true));
+        assert!(moved((0, 1), 14.0, false));
+        assert!(!moved((0, 1), 12.0, true));
         assert!(documents.delete_road(0) && !documents.delete_road(0));
     }
 
@@ -188,6 +231,49 @@ mod tests {
         documents.edit_road(0, RoadChange::Width(7.1), true);
         documents.edit_road(0, RoadChange::Class(RoadClass::Track), true);
         assert_eq!(documents.mission.roads[0].width, 7.1);
+    }
+
+    /// Crossings of the mission, as it is flown and looked for with.
+    fn crossings(documents: &Documents) -> usize {
+        let roads = documents.mission.roads.to_vec();
+        let map = RoadMap::new(roads, RoadJoining::SHARED_POINTS);
+        map.crossings().len()
+    }
+
+    #[test]
+    fn a_road_that_ends_on_a_piece_of_another_crosses_it_and_does_so_wherever_the_crossing_is_dragged()
+     {
+        let mut documents = with_road(&[0.0, 100.0]);
+        let side = [GroundPoint::new(40.0, 30.0), GroundPoint::new(0.0, 30.0)];
+        let before = documents.mission.history.depth();
+        documents.add_road(RoadClass::Track, side.to_vec());
+        assert_eq!(crossings(&documents), 1);
+        assert_eq!(documents.mission.history.depth().0, before.0 + 1);
+        let points = alike(&documents.mission.roads, 1, 1);
+        assert_eq!(points, [(1, 1), (0, 1)]);
+        for north in [-3.0, -6.0] {
+            let to = GroundPoint::new(north, 35.0);
+            assert!(documents.move_road_points(&points, to, north == -6.0));
+            assert_eq!(crossings(&documents), 1);
+        }
+        documents.undo();
+        assert_eq!(documents.mission.roads[0].course[1], side[1]);
+        documents.undo();
+        assert_eq!(documents.mission.roads[0].course, line(&[0.0, 100.0]));
+    }
+
+    #[test]
+    fn an_end_that_is_dragged_onto_a_piece_of_another_road_crosses_it_in_the_same_step() {
+        let mut documents = with_road(&[0.0, 100.0]);
+        let end = |north: f64| GroundPoint::new(north, 30.0);
+        documents.add_road(RoadClass::Track, vec![end(40.0), end(10.0)]);
+        for (north, is_over) in [(5.0, false), (0.0, false), (0.0, true)] {
+            documents.move_road_points(&[(1, 1)], end(north), is_over);
+        }
+        assert_eq!(crossings(&documents), 1);
+        documents.undo();
+        assert_eq!(documents.mission.roads[0].course, line(&[0.0, 100.0]));
+        assert_eq!(documents.mission.roads[1].course[1], end(10.0));
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! Roads as a feature: commands carried out, and the state of the work on them.
 
 use egui::{Rect, Ui};
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::{RoadClass, RoadLine};
 use serde_json::{Map, Value};
 
 use super::Roads;
 use super::command::{ID, LABEL, RoadChange, RoadCommand, commands};
-use super::geometry::meeting;
+use super::geometry::{HIT, alike, meeting, snapped};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
@@ -27,6 +28,14 @@ const INFO: FeatureInfo = FeatureInfo {
 /// Lack of a point at which a road could be split, and what to do about it.
 const NO_POINT: &str = "No point of a road is selected";
 const CLICK_POINT: &str = "Click one between the ends of the selected road first.";
+
+/// The middle of the map, or a place of a road but those of `own` that is as near to it as if it were on it.
+fn here(own: &[usize], context: &FeatureContext<'_>) -> GroundPoint {
+    let camera = &context.map.camera;
+    let roads = &context.documents.mission.roads;
+    let reach = HIT * camera.metres_per_point;
+    snapped(roads, own, camera.center, reach).unwrap_or(camera.center)
+}
 
 impl Roads {
     /// Takes the map, without a selected landmark: a drag over one would move it.
@@ -70,10 +79,10 @@ impl Roads {
         let counts = self.counts(roads);
         if self.counts.0 != counts.0 {
             self.select(None, None);
-            self.dragged = None;
+            self.dragged.clear();
         } else if self.counts.1 != counts.1 {
             self.has_lost_point |= self.point.take().is_some();
-            self.dragged = None;
+            self.dragged.clear();
         }
         self.counts = self.counts(roads);
     }
@@ -134,7 +143,7 @@ impl Roads {
             RoadCommand::Toggle => {}
             RoadCommand::Draw => self.draw(context),
             RoadCommand::Add(place) => {
-                let place = place.unwrap_or(context.map.camera.center);
+                let place = place.unwrap_or_else(|| here(&[], context));
                 self.drawing.get_or_insert_default().push(place);
                 self.select(None, None);
             }
@@ -164,7 +173,6 @@ impl Roads {
 
     /// Does something to the selected road.
     fn edit(&mut self, road: usize, command: RoadCommand, context: &mut FeatureContext<'_>) {
-        let here = context.map.camera.center;
         let documents = &mut *context.documents;
         let is_changed = match command {
             RoadCommand::Change { change, finished } => {
@@ -179,9 +187,18 @@ impl Roads {
                 }
                 is_changed && is_over
             }
-            RoadCommand::MoveHere => self.point.is_some_and(|point| {
-                documents.edit_road(road, RoadChange::Move(point, here), true)
-            }),
+            RoadCommand::MoveHere => self.move_here(road, context),
+            RoadCommand::Move {
+                points,
+                to,
+                finished,
+            } => {
+                let is_changed = documents.move_road_points(&points, to, finished);
+                if is_changed && !finished {
+                    context.document_changed();
+                }
+                is_changed && finished
+            }
             RoadCommand::DeletePoint => self.delete_point(road, context),
             RoadCommand::Delete => {
                 self.select(None, None);
@@ -206,6 +223,18 @@ impl Roads {
         if is_changed {
             Self::changed(context);
         }
+    }
+
+    /// Puts the selected point of a road, and those of others at the same place, into the middle of the map; whether one
+    /// was moved.
+    fn move_here(&self, road: usize, context: &mut FeatureContext<'_>) -> bool {
+        let Some(point) = self.point else {
+            return false;
+        };
+        let points = alike(&context.documents.mission.roads, road, point);
+        let own: Vec<usize> = points.iter().map(|it| it.0).collect();
+        let to = here(&own, context);
+        context.documents.move_road_points(&points, to, true)
     }
 
     /// Joins two roads; whether they are one now.

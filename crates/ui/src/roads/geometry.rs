@@ -3,6 +3,11 @@
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::{RoadLine, place_near};
 
+/// Distance from a point or a road that still counts as on it, points of the screen.
+pub const HIT: f64 = 10.0;
+/// Greatest distance of a place from the line of a road that leads through it, metres: what was put there was put on it.
+const ON: f64 = 1e-3;
+
 /// Place on a road.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnRoad {
@@ -18,8 +23,17 @@ pub struct OnRoad {
 
 /// Nearest place on the centre line of a road within `reach` metres of a point.
 pub fn road_at(roads: &[RoadLine], at: GroundPoint, reach: f64) -> Option<OnRoad> {
+    nearest_on(roads.iter().enumerate(), at, reach)
+}
+
+/// The same of some of the roads, each with its index.
+fn nearest_on<'a>(
+    roads: impl Iterator<Item = (usize, &'a RoadLine)>,
+    at: GroundPoint,
+    reach: f64,
+) -> Option<OnRoad> {
     let mut nearest: Option<OnRoad> = None;
-    for (road, line) in roads.iter().enumerate() {
+    for (road, line) in roads {
         for (piece, ends) in line.course.windows(2).enumerate() {
             let [from, to] = [ends[0], ends[1]];
             let is_far = |a: f64, b: f64, c: f64| c < a.min(b) - reach || c > a.max(b) + reach;
@@ -51,19 +65,47 @@ pub fn point_at(course: &[GroundPoint], at: GroundPoint, reach: f64) -> Option<u
     near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0)
 }
 
-/// Point of a road, but for the road `own`, within `reach` metres of a place: what is put there is put on it.
+/// Place on a road, but for those of `own`, within `reach` metres of a place: what is put there is put on it. A point of a
+/// road, if one is within reach, else the foot on a piece between two.
 pub fn snapped(
     roads: &[RoadLine],
-    own: Option<usize>,
+    own: &[usize],
     at: GroundPoint,
     reach: f64,
 ) -> Option<GroundPoint> {
-    let others = roads.iter().enumerate().filter(|it| Some(it.0) != own);
-    let found = others.filter_map(|(_, road)| {
+    let others = || {
+        let all = roads.iter().enumerate();
+        all.filter(|it| !own.contains(&it.0))
+    };
+    let points = others().filter_map(|(_, road)| {
         let point = road.course[point_at(&road.course, at, reach)?];
         Some((point, point.distance(&at)))
     });
-    found.min_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0)
+    let point = points.min_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0);
+    point.or_else(|| nearest_on(others(), at, reach).map(|it| it.place))
+}
+
+/// Points of all roads at the place of one, that one first: those of a crossing are one place. Each is a road and the
+/// index of its point.
+pub fn alike(roads: &[RoadLine], road: usize, point: usize) -> Vec<(usize, usize)> {
+    let place = roads.get(road).and_then(|road| road.course.get(point));
+    let mut all = vec![(road, point)];
+    for (index, line) in roads.iter().enumerate() {
+        let points = line.course.iter().enumerate();
+        let points = points.filter(|it| Some(it.1) == place);
+        let points = points.map(|it| (index, it.0));
+        all.extend(points.filter(|it| *it != (road, point)));
+    }
+    all
+}
+
+/// Pieces of roads, but for those of `own`, that lead through a place where their road has no point: the road, and the
+/// point at which the piece begins.
+pub fn through(roads: &[RoadLine], own: &[usize], place: GroundPoint) -> Vec<(usize, usize)> {
+    let others = roads.iter().enumerate();
+    let others = others.filter(|it| !own.contains(&it.0) && !it.1.course.contains(&place));
+    let pieces = others.filter_map(|other| nearest_on(std::iter::once(other), place, ON));
+    pieces.map(|it| (it.road, it.piece)).collect()
 }
 
 /// Road beside `own` that has an end where that has one.
@@ -153,9 +195,29 @@ mod tests {
     fn a_place_is_put_on_the_nearest_point_of_another_road_alone() {
         let roads = [road(&[0.0, 100.0]), road(&[103.0, 300.0])];
         let at = GroundPoint::new(1.0, 100.0);
-        assert_eq!(snapped(&roads, None, at, 4.0), Some(line(&[100.0])[0]));
-        assert_eq!(snapped(&roads, Some(0), at, 4.0), Some(line(&[103.0])[0]));
-        assert_eq!(snapped(&roads, Some(0), at, 2.0), None);
+        assert_eq!(snapped(&roads, &[], at, 4.0), Some(line(&[100.0])[0]));
+        assert_eq!(snapped(&roads, &[0], at, 4.0), Some(line(&[103.0])[0]));
+        assert_eq!(snapped(&roads, &[0], at, 2.0), None);
+    }
+
+    #[test]
+    fn a_place_beside_a_piece_of_another_road_is_put_on_the_foot_there() {
+        let roads = [road(&[0.0, 100.0])];
+        let at = GroundPoint::new(3.0, 40.0);
+        assert_eq!(snapped(&roads, &[], at, 4.0), Some(line(&[40.0])[0]));
+        assert_eq!(snapped(&roads, &[0], at, 4.0), None);
+        // Its end is nearer to hand.
+        let at = GroundPoint::new(0.5, 97.0);
+        assert_eq!(snapped(&roads, &[], at, 4.0), Some(line(&[100.0])[0]));
+    }
+
+    #[test]
+    fn a_road_leads_through_a_place_on_its_pieces_but_not_where_it_has_a_point() {
+        let roads = [road(&[0.0, 50.0, 100.0]), road(&[20.0, 80.0])];
+        assert_eq!(through(&roads, &[], line(&[60.0])[0]), [(0, 1), (1, 0)]);
+        assert_eq!(through(&roads, &[1], line(&[60.0])[0]), [(0, 1)]);
+        assert_eq!(through(&roads, &[], line(&[20.0])[0]), [(0, 0)]);
+        assert_eq!(through(&roads, &[], GroundPoint::new(0.1, 60.0)), []);
     }
 
     #[test]

@@ -24,8 +24,9 @@ pub struct Roads {
     point: Option<usize>,
     /// Whether the next click says with which road the selected one is joined.
     is_joining: bool,
-    /// Point that is dragged, of the selected road.
-    dragged: Option<usize>,
+    /// Points that are dragged, each a road and its index there: one of the selected road, then those of other roads at
+    /// the same place.
+    dragged: Vec<(usize, usize)>,
     /// Class of the road that was drawn or chosen last, and of the next one.
     class: RoadClass,
     /// Number of roads, and of points of the selected one, as they were left.

@@ -5,12 +5,10 @@ use pilotage_core::frames::GroundPoint;
 
 use super::Roads;
 use super::command::{RoadChange, RoadCommand, change};
-use super::geometry::{point_at, road_at, snapped};
+use super::geometry::{HIT, alike, point_at, road_at, snapped};
 use crate::context::ViewContext;
 use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, drag_origin, paint_lifted_line};
 
-/// Distance from a point or a road that still counts as on it, points of the screen.
-const HIT: f64 = 10.0;
 /// Shortest piece on the screen that has a handle in its middle, points.
 const SHORTEST_WITH_HANDLE: f32 = 48.0;
 
@@ -36,21 +34,27 @@ impl Roads {
 
     /// Takes hold of a point of the selected road, or makes one of the middle of a piece.
     fn grasp(&mut self, view: &ScreenFromWorld, at: Pos2, context: &mut ViewContext<'_>) {
-        let course = self.course(&context.mission.roads);
+        let roads = &context.mission.roads;
+        let course = self.course(roads);
         let (place, reach) = (view.inverse(at), HIT * view.metres_per_point);
-        self.dragged = point_at(course, place, reach);
-        if self.dragged.is_none() {
+        let Some(road) = self.selected else {
+            return;
+        };
+        self.dragged.clear();
+        if let Some(point) = point_at(course, place, reach) {
+            self.dragged = alike(roads, road, point);
+        } else {
             let middles = middles(view, course);
             let places: Vec<GroundPoint> = middles.iter().map(|it| it.1).collect();
             if let Some(handle) = point_at(&places, place, reach) {
                 let index = middles[handle].0 + 1;
                 let insert = RoadChange::Insert(index, place);
                 context.commands.push(change(insert, false).into());
-                self.dragged = Some(index);
+                self.dragged = vec![(road, index)];
             }
         }
-        if let Some(point) = self.dragged {
-            self.point = Some(point);
+        if let Some((_, point)) = self.dragged.first() {
+            self.point = Some(*point);
         }
     }
 
@@ -64,7 +68,7 @@ impl Roads {
                 // So the second click of two that are one ends the road.
                 (points.len() > 1).then_some(RoadCommand::Draw)
             } else {
-                let place = snapped(roads, None, place, reach).unwrap_or(place);
+                let place = snapped(roads, &[], place, reach).unwrap_or(place);
                 Some(RoadCommand::Add(Some(place)))
             };
             context.commands.extend(command.map(Into::into));
@@ -99,21 +103,26 @@ impl MapTool for Roads {
         if let Some(origin) = origin {
             self.grasp(view, origin, context);
         }
-        if let Some(point) = self.dragged {
+        if let Some((_, point)) = self.dragged.first().copied() {
             let is_over = !response.dragged();
             let roads = &context.mission.roads;
             let reach = HIT * view.metres_per_point;
             let place = at.map(|at| {
                 let place = view.inverse(at);
-                snapped(roads, self.selected, place, reach).unwrap_or(place)
+                let own: Vec<usize> = self.dragged.iter().map(|it| it.0).collect();
+                snapped(roads, &own, place, reach).unwrap_or(place)
             });
             let place = place.or_else(|| self.course(roads).get(point).copied());
-            if let Some(place) = place {
-                let change = change(RoadChange::Move(point, place), is_over);
-                context.commands.push(change.into());
+            if let Some(to) = place {
+                let command = RoadCommand::Move {
+                    points: self.dragged.clone(),
+                    to,
+                    finished: is_over,
+                };
+                context.commands.push(command.into());
             }
             if is_over {
-                self.dragged = None;
+                self.dragged.clear();
             }
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
             return true;
@@ -165,7 +174,7 @@ impl MapTool for Roads {
         };
         if self.drawing.is_some() {
             let reach = HIT * view.metres_per_point;
-            let place = snapped(&mission.roads, None, view.inverse(pointer), reach);
+            let place = snapped(&mission.roads, &[], view.inverse(pointer), reach);
             let to = place.map_or(pointer, |place| view.apply(&place));
             let next = Shape::dashed_line(&[*last, to], Stroke::new(2.0, tokens.accent), 6.0, 5.0);
             painter.extend(next);

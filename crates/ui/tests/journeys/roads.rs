@@ -74,6 +74,31 @@ fn a_point_near_that_of_another_road_is_put_on_it() {
 }
 
 #[test]
+fn a_road_that_is_drawn_onto_the_middle_of_another_crosses_it_and_the_crossing_is_dragged_as_one() {
+    let mut rig = drawing();
+    draw(&mut rig, &[(0.0, -80.0), (0.0, 80.0)]);
+    rig.key(Key::Enter);
+    let state = rig.state();
+    let scale = state["map"]["metres_per_point"].as_f64().expect("a scale");
+    draw(&mut rig, &[(60.0, 30.0), (5.0 * scale, 30.0)]);
+    let crossing = course(&rig)[1];
+    assert!(crossing[0].abs() < 2.0, "{crossing:?}");
+    click(&mut rig, 0.0, -40.0);
+    let through = course(&rig);
+    assert_eq!((through.len(), through[1]), (3, crossing));
+    let [from, to] = [screen(&rig, 0.0, 30.0), screen(&rig, -30.0, 30.0)];
+    rig.drag(from, to);
+    let moved = course(&rig)[1];
+    assert!((moved[0] + 30.0).abs() < 3.0, "{moved:?}");
+    click(&mut rig, 40.0, 30.0);
+    assert_eq!(course(&rig)[1], moved, "both roads have the moved point");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    click(&mut rig, 0.0, -40.0);
+    assert_eq!((of(&rig, "count"), course(&rig).len()), (1.into(), 2));
+}
+
+#[test]
 fn points_are_dragged_added_and_deleted_each_in_one_step() {
     let mut rig = drawing();
     draw(&mut rig, &[(0.0, -80.0), (0.0, 80.0)]);
