@@ -1,12 +1,12 @@
 //! The georeferencer's points on the map.
 
-use egui::{Align2, Pos2, Response, Ui, vec2};
+use egui::{Align2, Key, Pos2, Response, Ui, vec2};
 use nalgebra::Point2;
 
 use super::Georeferencer;
 use super::marks::{nearest, paint_pending, paint_point, stretch};
 use crate::context::ViewContext;
-use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, paint_halo_text};
+use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, paint_halo_text, tool_keys};
 
 impl Georeferencer {
     fn screen(&self, view: &ScreenFromWorld, place: &Point2<f64>) -> Option<Pos2> {
@@ -17,11 +17,15 @@ impl Georeferencer {
 impl MapTool for Georeferencer {
     fn interact(
         &mut self,
-        _ui: &Ui,
+        ui: &Ui,
         view: &ScreenFromWorld,
         response: &Response,
         _context: &mut ViewContext<'_>,
     ) -> bool {
+        if response.has_focus() && tool_keys(ui, response, [Key::Enter])[0] {
+            // By keyboard: the middle of the map.
+            self.pick_ground(&view.inverse(response.rect.center()));
+        }
         let off_screen = Pos2::new(f32::MAX, f32::MAX);
         let places = self.points.iter();
         let places = places.map(|p| self.screen(view, &p.place).unwrap_or(off_screen));

@@ -1,13 +1,32 @@
 //! The picture beside the map: looked at, picked in, with the residual of every point as an arrow.
 
-use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Ui, WidgetInfo, vec2};
+use egui::{
+    Align2, Key, Modifiers, Painter, Pos2, Rect, Response, Role, Sense, Shape, Ui, Vec2,
+    WidgetInfo, vec2,
+};
 use nalgebra::Point2;
 use pilotage_core::frames::GroundPoint;
 
 use super::Georeferencer;
 use super::marks::{nearest, paint_pending, paint_point, stretch};
-use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::map::{ScreenFromWorld, arrow_way, paint_halo_text, tool_keys};
+use crate::shell::paint_focus_ring;
 use crate::tokens::Tokens;
+
+/// Factor by which a key brings the picture closer.
+const CLOSER: f64 = 1.5;
+/// Half the length of the lines that mark the middle, points.
+const MIDDLE: f32 = 9.0;
+
+/// Marks the middle of the picture's part of the screen, which Enter picks.
+fn paint_middle(painter: &Painter, rect: Rect, tokens: &Tokens) {
+    let middle = rect.center();
+    for (width, color) in [(4.0, tokens.outline()), (1.5, tokens.sigma)] {
+        for way in [vec2(MIDDLE, 0.0), vec2(0.0, MIDDLE)] {
+            painter.line_segment([middle - way, middle + way], (width, color));
+        }
+    }
+}
 
 /// A pixel on the bare picture's ground, where a pixel is a metre and the first row lies in the north.
 pub fn ground_of_pixel(pixel: &Point2<f64>) -> GroundPoint {
@@ -49,12 +68,19 @@ impl Georeferencer {
             self.canvas.camera.zoom(rect, factor, at);
         }
         self.take_pointer(rect, &response);
+        if response.has_focus() {
+            self.take_keys(ui, rect, &response);
+        }
         let view = self.canvas.camera.screen_from_world(rect);
         self.canvas.tiles.paint(&painter, &view, rect, &info);
         // Where it is transparent, its edge would not be seen.
         let corners = info.bounds.corners().map(|corner| view.apply(&corner));
         painter.add(Shape::closed_line(corners.to_vec(), (1.0, tokens.line)));
         self.paint_points(&painter, &view, tokens);
+        if response.has_focus() {
+            paint_focus_ring(&painter, rect.shrink(1.0), tokens);
+            paint_middle(&painter, rect, tokens);
+        }
         if let Some(at) = response.hover_pos() {
             let pixel = pixel_of_ground(&view.inverse(at));
             let text = format!("column {:.1}   row {:.1}", pixel.x, pixel.y);
@@ -83,7 +109,27 @@ impl Georeferencer {
         );
     }
 
-    fn take_pointer(&mut self, rect: Rect, response: &egui::Response) {
+    /// Moves and scales the picture, and picks its middle, by the keyboard.
+    fn take_keys(&mut self, ui: &Ui, rect: Rect, response: &Response) {
+        let way = arrow_way(ui, response);
+        if way != Vec2::ZERO {
+            self.canvas.camera.pan(rect, -way);
+        }
+        let closer = ui.input_mut(|input| {
+            let mut times = |key| input.count_and_consume_key(Modifiers::NONE, key) as i32;
+            times(Key::Plus) + times(Key::Equals) - times(Key::Minus)
+        });
+        if closer != 0 {
+            let middle = rect.center();
+            self.canvas.camera.zoom(rect, CLOSER.powi(closer), middle);
+        }
+        if tool_keys(ui, response, [Key::Enter])[0] {
+            let view = self.canvas.camera.screen_from_world(rect);
+            self.pick_pixel(pixel_of_ground(&view.inverse(rect.center())));
+        }
+    }
+
+    fn take_pointer(&mut self, rect: Rect, response: &Response) {
         let view = self.canvas.camera.screen_from_world(rect);
         let places = self
             .points

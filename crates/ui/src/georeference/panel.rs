@@ -4,6 +4,7 @@ use egui::{TextEdit, Ui};
 use pilotage_core::imagery::georeferencer::TransformKind;
 
 use super::coordinates::{Typed, parse};
+use super::state::Pending;
 use super::{GeoreferenceCommand, Georeferencer};
 use crate::command::Command;
 use crate::shell::icons::Icon;
@@ -66,8 +67,9 @@ impl Georeferencer {
             _ => {
                 let needed = self.kind.least_points();
                 format!(
-                    "Click a place in the picture, then the same on the map or its coordinates below. \
-                     {needed} points are needed; more show how good they are."
+                    "Click a place in the picture, then the same on the map or its coordinates below. By keyboard, \
+                     arrows move what has the focus, and Enter picks its middle. {needed} points are needed; \
+                     more show how good they are."
                 )
             }
         }
@@ -280,7 +282,8 @@ impl Georeferencer {
         }
         ui.horizontal(|ui| {
             let (past, future) = self.depth();
-            ui.add_enabled_ui(past > 0, |ui| {
+            let is_picking = self.pending != Pending::default();
+            ui.add_enabled_ui(past > 0 || is_picking, |ui| {
                 if icon_button(ui, tokens, Icon::Undo, "Undo").clicked() {
                     self.undo();
                 }

@@ -3,7 +3,7 @@
 use egui::{CursorIcon, Key, PointerButton, Rect, Response, Ui};
 
 use super::picking::{Drag, SMALLEST, box_between, handle_at, landmark_at, moved, resized};
-use super::tool::tool_keys;
+use super::tool::{arrow_way, tool_keys};
 use super::view::MapView;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -163,27 +163,10 @@ impl MapView {
 
     /// Arrows move the map while it has the keyboard.
     fn arrow_keys(&mut self, ui: &Ui, rect: Rect, response: &Response) {
-        ui.memory_mut(|m| {
-            m.set_focus_lock_filter(
-                response.id,
-                egui::EventFilter {
-                    horizontal_arrows: true,
-                    vertical_arrows: true,
-                    ..Default::default()
-                },
-            );
-        });
-        let delta = ui.input(|i| {
-            let along =
-                |minus: Key, plus: Key| i.num_presses(plus) as f32 - i.num_presses(minus) as f32;
-            egui::vec2(
-                along(Key::ArrowLeft, Key::ArrowRight),
-                along(Key::ArrowUp, Key::ArrowDown),
-            )
-        });
-        if delta != egui::Vec2::ZERO {
+        let way = arrow_way(ui, response);
+        if way != egui::Vec2::ZERO {
             self.follow = false;
-            self.camera.pan(rect, -48.0 * delta);
+            self.camera.pan(rect, -way);
         }
     }
 

@@ -37,6 +37,6 @@ pub(crate) use other_world::{carry, distance_over_ground, is_in_reach, world_rea
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
 pub use tiles::{TILES_AT_A_TIME, TileCache, TileKey};
 pub use tool::{MapCanvas, MapStage, MapTool};
-pub(crate) use tool::{drag_origin, tool_keys};
+pub(crate) use tool::{arrow_way, drag_origin, tool_keys};
 pub use transform::{MapCamera, ScreenFromWorld};
 pub use view::{MapExtra, MapView};

@@ -1,6 +1,9 @@
 //! Tools with which people work on the map: they take the pointer first, and draw what they work on.
 
-use egui::{Key, Modifiers, Painter, PointerButton, Popup, Pos2, Rect, Response, Ui};
+use egui::{
+    EventFilter, Key, Modifiers, Painter, PointerButton, Popup, Pos2, Rect, Response, Ui, Vec2,
+    vec2,
+};
 use pilotage_core::mission::Mission;
 
 use super::labels::LandmarkLabel;
@@ -8,6 +11,9 @@ use super::layers::Layers;
 use super::transform::ScreenFromWorld;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
+
+/// Way that an arrow of the keyboard moves a view, points of the screen.
+const ARROW_STEP: f32 = 48.0;
 
 /// Stage of the drawing of the map at which a tool may draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +85,29 @@ pub(crate) fn tool_keys<const N: usize>(ui: &Ui, response: &Response, keys: [Key
         keys.map(|key| {
             (takes_enter || key != Key::Enter) && input.consume_key(Modifiers::NONE, key)
         })
+    })
+}
+
+/// Way, in points of the screen, by which the arrows of the keyboard ask to look farther on, while a view that `response` is
+/// of has the keyboard.
+pub(crate) fn arrow_way(ui: &Ui, response: &Response) -> Vec2 {
+    ui.memory_mut(|memory| {
+        let arrows = EventFilter {
+            horizontal_arrows: true,
+            vertical_arrows: true,
+            ..EventFilter::default()
+        };
+        memory.set_focus_lock_filter(response.id, arrows);
+    });
+    ui.input(|input| {
+        let along = |minus: Key, plus: Key| {
+            input.num_presses(plus) as f32 - input.num_presses(minus) as f32
+        };
+        ARROW_STEP
+            * vec2(
+                along(Key::ArrowLeft, Key::ArrowRight),
+                along(Key::ArrowUp, Key::ArrowDown),
+            )
     })
 }
 

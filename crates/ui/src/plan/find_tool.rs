@@ -11,7 +11,7 @@ use super::marking::BELOW_FIGURES;
 use super::planner::Planner;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::map::{ScreenFromWorld, paint_halo_text, tool_keys};
 use crate::tokens::Tokens;
 
 impl Planner {
@@ -32,8 +32,12 @@ impl Planner {
                 .commands
                 .push(Command::from(PlanCommand::Find(command)));
         };
-        if !ui.ctx().text_edit_focused() && ui.input(|i| i.key_pressed(Key::Escape)) {
+        let [enter, escape] = tool_keys(ui, response, [Key::Enter, Key::Escape]);
+        if escape {
             say(FindCommand::Pick(FindPick::Nothing));
+        } else if enter {
+            // By keyboard: the middle of the map.
+            say(FindCommand::Click(view.inverse(response.rect.center())));
         }
         if response.hovered() {
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
@@ -99,8 +103,10 @@ fn paint_prediction(
 pub fn hint(pick: FindPick) -> Option<&'static str> {
     match pick {
         FindPick::Nothing => None,
-        FindPick::From => Some("Click on the map where the route begins (A)."),
-        FindPick::To => Some("Click on the map where it ends (B)."),
+        FindPick::From => {
+            Some("Click on the map where the route begins (A); Enter takes its middle.")
+        }
+        FindPick::To => Some("Click on the map where it ends (B); Enter takes its middle."),
     }
 }
 

@@ -166,6 +166,34 @@ fn coordinates_can_be_typed_and_wrong_ones_are_told() {
 }
 
 #[test]
+fn a_point_is_picked_by_keyboard_alone_and_taken_back_half_picked() {
+    let mut rig = rig_with_a_picture();
+    let of = |rig: &Rig, what: &str| rig.state()["georeferencer"][what].clone();
+    let is_picking = |rig: &Rig| of(rig, "pending")[0] == true;
+    rig.harness.get_by_label("Picture photo.png").focus();
+    rig.frames(2);
+    let (before, scale) = (of(&rig, "picture_center"), of(&rig, "pixels_per_point"));
+    rig.key(Key::ArrowRight);
+    rig.key(Key::Plus);
+    assert_ne!(of(&rig, "picture_center"), before);
+    assert!(of(&rig, "pixels_per_point").as_f64() < scale.as_f64());
+    rig.key(Key::Enter);
+    assert!(is_picking(&rig));
+    rig.harness.get_by_label("Undo").click();
+    rig.frames(3);
+    assert!(!is_picking(&rig), "what is half picked is taken back");
+    rig.harness.get_by_label("Picture photo.png").focus();
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.harness
+        .get_by_role_and_label(egui::accesskit::Role::Canvas, "Map")
+        .focus();
+    rig.frames(2);
+    rig.key(Key::Enter);
+    assert_eq!(of(&rig, "points"), 1);
+}
+
+#[test]
 fn closing_leaves_everything_as_it_was() {
     let mut rig = rig_with_a_picture();
     let before = rig.state();

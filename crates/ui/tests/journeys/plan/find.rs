@@ -40,6 +40,22 @@ fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
 }
 
 #[test]
+fn both_ends_are_chosen_by_keyboard_in_the_middle_of_the_map() {
+    let mut rig = planning();
+    rig.key_with(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    rig.harness
+        .get_by_role_and_label(egui::accesskit::Role::Canvas, "Map")
+        .focus();
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.key(Key::ArrowRight);
+    rig.key(Key::Enter);
+    let (from, to) = (number(&rig, "/find/from/1"), number(&rig, "/find/to/1"));
+    assert!(to > from, "{from}, {to}");
+}
+
+#[test]
 fn a_no_fly_area_is_drawn_flown_around_and_undone() {
     let mut rig = planning();
     draw_area(&mut rig);
