@@ -364,7 +364,8 @@ impl FeatureContext<'_> {
 /// Job that a feature has under way, as its panel tells of it.
 #[derive(Debug, Default)]
 pub struct FeatureWork {
-    job: Option<JobId>,
+    /// The job, while it is under way.
+    pub job: Option<JobId>,
     /// Progress in words, while the job is under way.
     pub words: Option<String>,
     /// Why the last one failed.

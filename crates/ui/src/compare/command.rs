@@ -30,6 +30,8 @@ pub enum CompareCommand {
     Keep(TrackId),
     /// Keep the run that is open with every step estimated from all of the flight, before and after it.
     KeepSmoothed,
+    /// Stop smoothing it.
+    StopSmoothing,
     /// Fly the flight that is open by every estimator.
     FlyAll,
     /// Stop flying it by every estimator.

@@ -16,7 +16,9 @@ use serde_json::{Value, json};
 
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature::{
+    Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FeatureWork,
+};
 use crate::map::MapLayer;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
@@ -65,8 +67,16 @@ pub struct Compare {
     view: CompareView,
     contest: ContestState,
     shelf: Shelf,
-    /// The run that is being smoothed, and what its track will be, but for its places.
-    smoothing: Option<(JobId, Trajectory)>,
+    smoothing: Smoothing,
+}
+
+/// Run that is being smoothed.
+#[derive(Debug, Default)]
+pub(super) struct Smoothing {
+    /// Work on it, while it is under way.
+    pub work: FeatureWork,
+    /// Its track to be, but for its places.
+    track: Option<Trajectory>,
 }
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
@@ -130,19 +140,21 @@ impl Compare {
             places: Vec::new(),
         };
         let order = SmoothOrder(Box::new(run.clone()));
-        self.stop_smoothing(context);
-        self.smoothing = Some((context.start(Job::Smooth(order)), track));
+        self.smoothing.track = Some(track);
+        let words = "Smoothing the run".to_owned();
+        self.smoothing
+            .work
+            .begin(words, Job::Smooth(order), context);
     }
 
-    /// Takes an event of the job that smooths a run, whose track is `track` but for its places.
-    fn smoothing_event(
-        &mut self,
-        track: Trajectory,
-        event: &JobEvent,
-        context: &mut FeatureContext<'_>,
-    ) {
+    /// Takes an event of the job that smooths a run.
+    fn smoothing_event(&mut self, event: &JobEvent, context: &mut FeatureContext<'_>) {
+        self.smoothing.work.take(event);
         match event {
             JobEvent::Smoothed(places) => {
+                let Some(track) = self.smoothing.track.take() else {
+                    return;
+                };
                 let places = places.iter().copied();
                 let mut kept = Trajectory::on_the_ground(track.name, track.frame, places);
                 kept.utc_at_zero = track.utc_at_zero;
@@ -155,18 +167,6 @@ impl Compare {
             }
             _ => {}
         }
-        if event.is_last() {
-            self.smoothing = None;
-        }
-    }
-
-    /// Stops smoothing a run; whether one was being smoothed.
-    fn stop_smoothing(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        let smoothing = self.smoothing.take();
-        if let Some((job, _)) = &smoothing {
-            context.cancel(*job);
-        }
-        smoothing.is_some()
     }
 
     /// Flies what is open by every estimator.
@@ -198,7 +198,11 @@ impl Feature for Compare {
         match *command {
             CompareCommand::Show => context.show(),
             CompareCommand::Keep(id) => self.keep(id, context),
+            CompareCommand::KeepSmoothed if self.smoothing.work.words.is_some() => {}
             CompareCommand::KeepSmoothed => self.smooth(context),
+            CompareCommand::StopSmoothing => {
+                self.smoothing.work.stop(context);
+            }
             CompareCommand::FlyAll => self.fly_by_all(context),
             CompareCommand::StopFlights => {
                 self.contest.work.stop(context);
@@ -215,6 +219,7 @@ impl Feature for Compare {
             generations: [documents.run.generation, documents.run.ghost_generation],
             is_complete: documents.run.is_complete,
             contest: &self.contest,
+            smoothing: self.smoothing.work.words.as_deref(),
             is_contest_of_before: self.contest.is_of_before(documents),
             utc_at_zero: utc_at_zero(documents),
         };
@@ -226,9 +231,8 @@ impl Feature for Compare {
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
-        let smoothing = self.smoothing.as_ref().filter(|(id, _)| *id == job);
-        if let Some((_, track)) = smoothing.cloned() {
-            return self.smoothing_event(track, &event, context);
+        if self.smoothing.work.job == Some(job) {
+            return self.smoothing_event(&event, context);
         }
         self.contest.work.take(&event);
         if let JobEvent::ContestJudged(found) = event {
@@ -237,14 +241,14 @@ impl Feature for Compare {
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        self.contest.work.stop(context) || self.stop_smoothing(context)
+        self.contest.work.stop(context) || self.smoothing.work.stop(context)
     }
 
     /// Forgets the contest; trajectories that were kept stay, to be compared with other flights.
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
         self.stop(context);
         self.contest = ContestState::default();
-        self.stop_smoothing(context);
+        self.smoothing.work.stop(context);
     }
 
     fn state(&self, documents: &Documents) -> Value {

@@ -11,7 +11,7 @@ use super::command::{CompareCommand, TrackId};
 use super::results::{CompareScene, ResultRow, Results};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::text_button;
+use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
 
 const CLOCKS: [(&str, ClockRelation); 2] = [
@@ -89,7 +89,7 @@ impl CompareView {
         ui.spacing_mut().item_spacing.y = 0.5 * tokens.space;
         self.results
             .update(context, scene, self.settings, self.reference);
-        self.buttons(ui, context, scene.is_complete);
+        self.buttons(ui, context, scene);
         if self.results.rows.is_empty() {
             let hint =
                 "Fly, or open a flight; keep its run and open another to see them side by side.";
@@ -139,7 +139,7 @@ impl CompareView {
         }
     }
 
-    fn buttons(&self, ui: &mut Ui, context: &mut ViewContext<'_>, is_complete: bool) {
+    fn buttons(&self, ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CompareScene<'_>) {
         let tokens = context.tokens;
         ui.horizontal_wrapped(|ui| {
             let can_keep = |id| self.results.rows.iter().any(|row| row.id == id);
@@ -150,12 +150,17 @@ impl CompareView {
                     context.commands.push(keep.into());
                 }
             }
-            let is_there = is_complete && can_keep(TrackId::Run);
+            let is_there = scene.is_complete && can_keep(TrackId::Run) && scene.smoothing.is_none();
             if is_there && text_button(ui, tokens, None, "Keep it smoothed", false).clicked() {
                 let keep = CompareCommand::KeepSmoothed;
                 context.commands.push(keep.into());
             }
         });
+        if let Some(words) = scene.smoothing
+            && at_work(ui, tokens, words)
+        {
+            context.commands.push(CompareCommand::StopSmoothing.into());
+        }
     }
 
     fn table(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CompareScene<'_>) {

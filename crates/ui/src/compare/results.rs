@@ -53,6 +53,8 @@ pub struct CompareScene<'a> {
     pub is_complete: bool,
     /// Every estimator on the flight that is open.
     pub contest: &'a ContestState,
+    /// Progress of the run that is being smoothed, in words.
+    pub smoothing: Option<&'a str>,
     /// Whether that judged the mission as it was before.
     pub is_contest_of_before: bool,
     /// Seconds since 1970 at the flight's time zero, where known.

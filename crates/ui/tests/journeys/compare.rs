@@ -160,6 +160,27 @@ fn the_column_keeps_its_width() {
 }
 
 #[test]
+fn a_run_that_is_being_smoothed_tells_how_far_it_is_and_can_be_stopped() {
+    let mut rig = rig();
+    rig.host().left = Some(|job| matches!(job, Job::Smooth(_)));
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Keep it smoothed").click();
+    rig.frames(4);
+    assert!(rig.harness.query_by_label("Keep it smoothed").is_none());
+    let is_smoothing = |(_, job): &&(u64, Job)| matches!(job, Job::Smooth(_));
+    let jobs = &rig.host().jobs;
+    let id = jobs.iter().find(is_smoothing).expect("a job").0;
+    let told = JobEvent::Progress(0.4, "Smoothing the run".to_owned());
+    rig.host().events.push((id, told));
+    rig.frames(3);
+    rig.harness.get_by_label("Smoothing the run: 40 %");
+    rig.harness.get_by_label("Stop").click();
+    rig.frames(3);
+    assert_eq!(rig.host().cancelled, [id]);
+    rig.harness.get_by_label("Keep it smoothed");
+}
+
+#[test]
 fn a_contest_under_way_can_be_stopped_after_a_run_was_smoothed() {
     let mut rig = rig();
     rig.host().left = Some(|job| matches!(job, Job::Contest(_)));

@@ -61,7 +61,7 @@ pub use report::{
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};
 pub use sighting::{KnownReport, PairReport, SeenReport, SightedKind, SightingReport};
-pub use smooth::smooth;
+pub use smooth::{RunSmoothing, smooth};
 pub use summary::{
     ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,
 };

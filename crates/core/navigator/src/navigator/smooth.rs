@@ -4,9 +4,7 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::engine::{unscented, visit_model};
 use super::{Estimate, Run};
-use pilotage_estimation::filter::{
-    FilterError, Gaussian, SmootherLink, Weights, smooth as smooth_links,
-};
+use pilotage_estimation::filter::{FilterError, Gaussian, SmootherLink, Weights};
 use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
 
 /// The smoothed estimates of a run, one for the end of each of its steps, by the unscented
@@ -15,15 +13,61 @@ use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
 /// Runs of every estimator can be smoothed: all report sigma points from which a prediction can be told.
 /// Where another belief took over in flight (see [`super::JointReport::recovered`]) the steps before it
 /// are smoothed from what that one believed. The last estimate is that of the run.
+///
+/// # Errors
+/// Where the run is of another vehicle than its settings say, or a covariance of it is none.
 pub fn smooth(run: &Run) -> Result<Vec<Estimate>, FilterError> {
-    visit_model(&run.settings, Smoother { run })
+    let mut smoothing = RunSmoothing::default();
+    while smoothing.advance(run, run.steps.len())? {}
+    Ok(smoothing.into_estimates())
 }
 
-struct Smoother<'a> {
+/// A run that is being smoothed, from its end backward, some steps at a time: the estimates are those of [`smooth`],
+/// whatever the parts.
+#[derive(Clone, Debug, Default)]
+pub struct RunSmoothing {
+    /// Estimates so far, that of the last step first.
+    backward: Vec<Estimate>,
+}
+
+impl RunSmoothing {
+    /// Smooths so many steps more of the run, which is the same in every call; whether some are left.
+    ///
+    /// # Errors
+    /// Those of [`smooth`].
+    pub fn advance(&mut self, run: &Run, count: usize) -> Result<bool, FilterError> {
+        let part = SmoothedPart {
+            run,
+            known: &self.backward,
+            count,
+        };
+        let part = visit_model(&run.settings, part)?;
+        self.backward.extend(part);
+        Ok(self.done() < run.steps.len())
+    }
+
+    /// Number of steps that are smoothed.
+    #[must_use]
+    pub fn done(&self) -> usize {
+        self.backward.len()
+    }
+
+    /// The estimates, one for the end of each step that is smoothed, in the order of time.
+    #[must_use]
+    pub fn into_estimates(mut self) -> Vec<Estimate> {
+        self.backward.reverse();
+        self.backward
+    }
+}
+
+/// The next estimates backward before those that are known.
+struct SmoothedPart<'a> {
     run: &'a Run,
+    known: &'a [Estimate],
+    count: usize,
 }
 
-impl VehicleVisitor for Smoother<'_> {
+impl VehicleVisitor for SmoothedPart<'_> {
     type Output = Result<Vec<Estimate>, FilterError>;
 
     fn visit<const N: usize, V: VehicleModel<N>>(self, _model: V) -> Self::Output {
@@ -32,20 +76,27 @@ impl VehicleVisitor for Smoother<'_> {
         let Some(last) = steps.last() else {
             return Ok(Vec::new());
         };
+        let mut part = Vec::new();
+        let mut later = gaussian::<N>(self.known.last().unwrap_or(&last.after))?;
+        if self.known.is_empty() {
+            part.push(Estimate::from(&later));
+        }
+        let to = steps.len() - self.known.len() - part.len();
+        let from = (to + part.len()).saturating_sub(self.count).min(to);
         // The step after each: it begins where that one ends.
-        let links = steps.iter().skip(1).map(|step| {
+        for step in steps[from + 1..=to].iter().rev() {
             let (before, after) = (&step.sigma.before_predict, &step.sigma.after_predict);
-            Ok(SmootherLink {
+            let link = SmootherLink {
                 before: gaussian(&step.before)?,
                 after: gaussian(&step.predicted)?,
                 cross_covariance: spread::<N>(before)?
                     * spread::<N>(after)?.transpose()
                     * (0.5 * weights.outer),
-            })
-        });
-        let links = links.collect::<Result<Vec<_>, FilterError>>()?;
-        let smoothed = smooth_links(&links, &gaussian(&last.after)?)?;
-        Ok(smoothed.iter().map(Estimate::from).collect())
+            };
+            later = link.smoothed(&later)?;
+            part.push(Estimate::from(&later));
+        }
+        Ok(part)
     }
 }
 
@@ -195,6 +246,19 @@ mod tests {
             println!("{choice:?}: error {error:.0} of {filtered:.0} m², {summary:?}");
             assert!(error < 0.4 * filtered, "{choice:?}: {error} {filtered}");
             assert!(summary.is_consistent(), "{choice:?}: {summary:?}");
+        }
+    }
+
+    #[test]
+    fn a_run_that_is_smoothed_by_parts_is_the_same_to_the_bit() {
+        let (run, _) = run(EstimatorChoice::Unscented, 3);
+        let whole = smooth(&run).unwrap();
+        for count in [1, 7, 119, 120, 500] {
+            let mut parts = RunSmoothing::default();
+            while parts.advance(&run, count).unwrap() {
+                assert_eq!(parts.done() % count, 0);
+            }
+            assert!(parts.into_estimates() == whole, "{count}");
         }
     }
 
