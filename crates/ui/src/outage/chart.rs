@@ -3,27 +3,30 @@
 use egui::{Color32, Shape, Stroke, Ui};
 
 use crate::tokens::Tokens;
-use crate::views::chart::ChartAxes;
+use crate::views::chart::{ChartAxes, Dash, dashed};
 use crate::views::{TimeAxis, parts};
 use pilotage_jobs::AidedResult;
 
 /// Height of the curves, points.
 const HEIGHT: f32 = 150.0;
+/// Radius of the dots of a radius, and their distance where its line is drawn through, points.
+const DOT: f32 = 0.9;
+const CLOSE: f32 = 3.5;
 
-/// Colour of the n-th way to navigate.
-pub(crate) fn colour(tokens: &Tokens, number: usize) -> Color32 {
-    let colours = [
-        tokens.dead_reckoning,
-        tokens.accent,
-        tokens.unaided,
-        tokens.truth,
-        tokens.observed,
+/// Colour and dash of the n-th way to navigate.
+pub(super) fn look(tokens: &Tokens, number: usize) -> (Color32, Dash) {
+    let looks = [
+        (tokens.dead_reckoning, None),
+        (tokens.accent, Some((7.0, 3.0))),
+        (tokens.unaided, Some((2.0, 3.0))),
+        (tokens.truth, Some((10.0, 4.0))),
+        (tokens.observed, Some((4.0, 4.0))),
     ];
-    colours[number % colours.len()]
+    looks[number % looks.len()]
 }
 
-/// Draws error (line) and the radius that should hold it in 95 of 100 cases (dashes) against the time since
-/// GPS was lost.
+/// Draws error (line) and the radius that should hold it in 95 of 100 cases (dots, as far apart as the line's dashes)
+/// against the time since GPS was lost.
 pub(super) fn growth_chart(
     ui: &mut Ui,
     tokens: &Tokens,
@@ -63,20 +66,35 @@ pub(super) fn growth_chart(
     axes.draw_x(&painter, tokens, "since GPS was lost, s");
     let inside = painter.with_clip_rect(rect);
     for (number, result) in results.iter().enumerate() {
-        let colour = colour(tokens, number);
+        let (colour, dash) = look(tokens, number);
         let radius = result
             .growth
             .iter()
             .map(|p| axes.at(p.since, factor * p.radius));
         let radius: Vec<_> = radius.collect();
-        let faint = Stroke::new(1.0, colour.gamma_multiply(0.7));
-        inside.extend(Shape::dashed_line(&radius, faint, 4.0, 3.0));
+        let apart = dash.map_or(CLOSE, |(dash, gap)| dash + gap);
+        let faint = colour.gamma_multiply(0.7);
+        inside.extend(Shape::dotted_line(&radius, faint, apart, DOT));
         let line = result.growth.iter();
         let line = line.filter_map(|p| Some(axes.at(p.since, factor * p.error?)));
-        inside.add(Shape::line(line.collect(), Stroke::new(1.75, colour)));
+        inside.extend(dashed(line.collect(), Stroke::new(1.75, colour), dash));
     }
     if let Some(since) = cursor.filter(|t| (0.0..=last).contains(t)) {
         let stroke = Stroke::new(1.0, tokens.accent);
         inside.vline(axes.screen_x(since), rect.y_range(), stroke);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ways_are_told_apart_without_their_colours() {
+        let tokens = Tokens::dark();
+        let looks: Vec<_> = (0..5).map(|number| look(&tokens, number)).collect();
+        for (number, (_, dash)) in looks.iter().enumerate() {
+            assert!(looks[..number].iter().all(|(_, other)| other != dash));
+        }
     }
 }

@@ -4,13 +4,14 @@ use egui::{RichText, Stroke, Ui, vec2};
 
 use pilotage_core::flight::with_moments;
 
-use super::chart::{colour, growth_chart};
+use super::chart::{growth_chart, look};
 use super::state::{OutageCommand, Outages, is_of_before, measures_airspeed};
 use super::wind::winds;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{at_work, counted, of_before, text_button, whole_sentences};
 use crate::units::clock;
+use crate::views::chart::dashed;
 use crate::views::{parts, table};
 use pilotage_jobs::{OutageReport, StudyReport};
 
@@ -18,6 +19,9 @@ use pilotage_jobs::{OutageReport, StudyReport};
 const LENGTHS: [f64; 3] = [30.0, 60.0, 120.0];
 /// Times since GPS was lost at which errors are told, seconds.
 const TOLD: [f64; 2] = [10.0, 30.0];
+
+/// Length of the line beside the name of a way, points: dashes are told apart on it.
+const SWATCH: f32 = 24.0;
 
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
@@ -157,11 +161,12 @@ fn one_outage(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport)
         let cells: Vec<String> = (TOLD.map(at).into_iter().chain(ends))
             .map(|value| value.map_or_else(|| "–".into(), |v| error_text(factor * v)))
             .collect();
-        table::named_row(ui, tokens, &cells, (&result.label, 16.0), |ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
-            let stroke = Stroke::new(2.5, colour(tokens, number));
-            let ends = [rect.left_center(), rect.right_center()];
-            ui.painter().line_segment(ends, stroke);
+        table::named_row(ui, tokens, &cells, (&result.label, SWATCH + 4.0), |ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(SWATCH, 12.0), egui::Sense::hover());
+            let (colour, dash) = look(tokens, number);
+            let ends = vec![rect.left_center(), rect.right_center()];
+            let line = dashed(ends, Stroke::new(2.5, colour), dash);
+            ui.painter().extend(line);
             let label = RichText::new(&result.label).color(tokens.text);
             ui.add(egui::Label::new(label).truncate());
         });
@@ -175,7 +180,7 @@ fn one_outage(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport)
         Some(since),
     );
     let caption = format!(
-        "Lines: distance from the {}, {unit}. Dashes: the radius that should hold it in 95 of 100 cases.",
+        "Lines: distance from the {}, {unit}. Dots: the radius that should hold it in 95 of 100 cases.",
         context.known_track()
     );
     ui.add(egui::Label::new(small(caption)).wrap());

@@ -1,6 +1,6 @@
 //! The wind as satellite navigation tells it, beside what else is known of it.
 
-use egui::{Color32, RichText, Sense, Shape, Stroke, Ui, vec2};
+use egui::{Color32, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui, Vec2, vec2};
 
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
@@ -11,9 +11,59 @@ use pilotage_jobs::WindReport;
 /// Height of the curves, points.
 const HEIGHT: f32 = 110.0;
 
-/// Colours of the wind by the filter, by least squares and by the autopilot.
-fn colours(tokens: &Tokens) -> [Color32; 3] {
-    [tokens.accent, tokens.truth, tokens.unaided]
+/// Number of marks on a curve.
+const MARKS: usize = 5;
+/// Half the size of a mark, points.
+const MARK: f32 = 3.5;
+
+/// Form of the marks on the curves of a source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mark {
+    Disc,
+    Square,
+    Triangle,
+}
+
+impl Mark {
+    fn paint(self, painter: &Painter, at: Pos2, colour: Color32) {
+        match self {
+            Self::Disc => {
+                painter.circle_filled(at, MARK, colour);
+            }
+            Self::Square => {
+                let rect = Rect::from_center_size(at, Vec2::splat(1.8 * MARK));
+                painter.rect_filled(rect, 0.0, colour);
+            }
+            Self::Triangle => {
+                let corners = [(0.0, -1.2), (1.1, 0.9), (-1.1, 0.9)];
+                let corners = corners.map(|(x, y)| at + MARK * vec2(x, y));
+                let shape = Shape::convex_polygon(corners.to_vec(), colour, Stroke::NONE);
+                painter.add(shape);
+            }
+        }
+    }
+}
+
+/// Colours and marks of the wind by the filter, by least squares and by the autopilot.
+fn looks(tokens: &Tokens) -> [(Color32, Mark); 3] {
+    [
+        (tokens.accent, Mark::Disc),
+        (tokens.truth, Mark::Square),
+        (tokens.unaided, Mark::Triangle),
+    ]
+}
+
+/// Place of a curve between its points at a time, if it has one there.
+fn at_time(curve: &[[f64; 3]], time: f64) -> Option<[f64; 3]> {
+    let next = curve.partition_point(|it| it[0] < time);
+    let (to, from) = (curve.get(next)?, curve.get(next.saturating_sub(1))?);
+    let span = to[0] - from[0];
+    let share = if span > 0.0 {
+        (time - from[0]) / span
+    } else {
+        0.0
+    };
+    (time >= from[0]).then(|| [0, 1, 2].map(|axis| from[axis] + share * (to[axis] - from[axis])))
 }
 
 /// Draws the winds: a table and their course over the flight.
@@ -35,18 +85,21 @@ pub(super) fn winds(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport)
     table::heads(ui, tokens, &titles, |ui| {
         ui.label(small(format!("where the air goes, {unit}")));
     });
-    let row = |ui: &mut Ui, name: &str, colour: Color32, wind: [f64; 2], apart: Option<f64>| {
-        let [north, east] = wind.map(|v| parts::figures(factor * v));
-        let apart = apart.map_or_else(|| "–".to_owned(), |rms| parts::figures(factor * rms));
-        table::row(ui, tokens, &[north, east, apart], tokens.text, |ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
-            let ends = [rect.left_center(), rect.right_center()];
-            ui.painter().line_segment(ends, Stroke::new(2.5, colour));
-            let label = RichText::new(name).color(tokens.text);
-            ui.add(egui::Label::new(label).truncate());
-        });
-    };
-    let [by_gps, by_fit, by_autopilot] = colours(tokens);
+    let row =
+        |ui: &mut Ui, name: &str, look: (Color32, Mark), wind: [f64; 2], apart: Option<f64>| {
+            let [north, east] = wind.map(|v| parts::figures(factor * v));
+            let apart = apart.map_or_else(|| "–".to_owned(), |rms| parts::figures(factor * rms));
+            table::row(ui, tokens, &[north, east, apart], tokens.text, |ui| {
+                let (rect, _) = ui.allocate_exact_size(vec2(16.0, 12.0), Sense::hover());
+                let ends = [rect.left_center(), rect.right_center()];
+                let (colour, mark) = look;
+                ui.painter().line_segment(ends, Stroke::new(1.5, colour));
+                mark.paint(ui.painter(), rect.center(), colour);
+                let label = RichText::new(name).color(tokens.text);
+                ui.add(egui::Label::new(label).truncate());
+            });
+        };
+    let [by_gps, by_fit, by_autopilot] = looks(tokens);
     let last = |winds: &[[f64; 3]]| winds.last().map(|w| [w[1], w[2]]);
     if let Some(wind) = last(&report.by_gps) {
         row(ui, "Unscented filter, at the end", by_gps, wind, None);
@@ -111,7 +164,7 @@ fn course(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport) {
     axes.draw_y(&painter, tokens);
     axes.draw_time(&painter, tokens, context.clock_zero);
     let inside = painter.with_clip_rect(rect);
-    for (curve, colour) in curves.into_iter().zip(colours(tokens)) {
+    for (number, (curve, (colour, mark))) in curves.into_iter().zip(looks(tokens)).enumerate() {
         let line = |axis: usize| -> Vec<_> {
             let points = curve.iter();
             points.map(|w| axes.at(w[0], factor * w[axis])).collect()
@@ -123,9 +176,39 @@ fn course(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport) {
             5.0,
             3.0,
         ));
+        // Those of the sources are beside each other.
+        let first = (number as f64 + 1.0) / 4.0;
+        for place in (0..MARKS).map(|index| (index as f64 + first) / MARKS as f64) {
+            let Some(wind) = at_time(curve, span.0 + place * (span.1 - span.0)) else {
+                continue;
+            };
+            for value in [wind[1], wind[2]] {
+                mark.paint(&inside, axes.at(wind[0], factor * value), colour);
+            }
+        }
     }
     if (span.0..=span.1).contains(&context.time) {
         let x = axes.screen_x(context.time);
         inside.vline(x, rect.y_range(), Stroke::new(1.0, tokens.text));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sources_are_told_apart_without_their_colours() {
+        let [(_, a), (_, b), (_, c)] = looks(&Tokens::dark());
+        assert!(a != b && b != c && a != c);
+    }
+
+    #[test]
+    fn marks_stand_on_the_curve_and_nowhere_beside_it() {
+        let curve = [[0.0, 1.0, 0.0], [10.0, 3.0, 4.0]];
+        assert_eq!(at_time(&curve, 5.0), Some([5.0, 2.0, 2.0]));
+        assert_eq!(at_time(&curve, 10.5), None);
+        assert_eq!(at_time(&curve, -0.5), None);
+        assert_eq!(at_time(&[], 1.0), None);
     }
 }

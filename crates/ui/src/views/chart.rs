@@ -1,9 +1,20 @@
 //! Axes of a chart: from values to points and back, ticks, grid and labels.
 
-use egui::{Align2, Painter, Pos2, Rect, Stroke, pos2};
+use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, pos2};
 
 use super::parts;
 use crate::tokens::Tokens;
+
+/// Lengths of the dashes of a line and of the gaps between them, points; a line without is drawn through.
+pub(crate) type Dash = Option<(f32, f32)>;
+
+/// Shapes of a line with its dash.
+pub(crate) fn dashed(line: Vec<Pos2>, stroke: Stroke, dash: Dash) -> Vec<Shape> {
+    match dash {
+        Some((dash, gap)) => Shape::dashed_line(&line, stroke, dash, gap),
+        None => vec![Shape::line(line, stroke)],
+    }
+}
 
 /// A chart's area and the values at its edges.
 #[derive(Clone, Copy, Debug, PartialEq)]

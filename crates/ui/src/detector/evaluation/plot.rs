@@ -7,6 +7,7 @@ use egui::{
 use pilotage_core::training::evaluation::{Plot, PlotPoint, PlotSeries, SeriesStyle};
 
 use crate::tokens::Tokens;
+use crate::views::chart::{Dash, dashed};
 
 /// Room at the left and below what is drawn in, points.
 const LEFT: f32 = 34.0;
@@ -61,13 +62,14 @@ pub(super) fn paint(ui: &mut Ui, plot: &Plot, tokens: &Tokens) {
         painter.text(at, align, text, tokens.small(), color)
     };
     small(outer.min, Align2::LEFT_TOP, &plot.y.label, tokens.muted);
-    let colors = [tokens.dead_reckoning, tokens.accent];
+    let looks = looks(tokens);
     if series_lines > 0.0 {
-        for (line, (series, color)) in plot.series.iter().zip(colors).enumerate() {
+        for (line, (series, (color, dash))) in plot.series.iter().zip(looks).enumerate() {
             let at = outer.min + vec2(LEFT, LINE * (line as f32 + 1.5));
-            painter.line_segment([at, at + vec2(14.0, 0.0)], Stroke::new(2.0, color));
+            let ends = vec![at, at + vec2(24.0, 0.0)];
+            painter.extend(dashed(ends, Stroke::new(2.0, color), dash));
             small(
-                at + vec2(20.0, 0.0),
+                at + vec2(30.0, 0.0),
                 Align2::LEFT_CENTER,
                 &series.name,
                 tokens.muted,
@@ -81,16 +83,16 @@ pub(super) fn paint(ui: &mut Ui, plot: &Plot, tokens: &Tokens) {
         }
     }
     paint_axes(&painter, &frame, tokens);
-    let dashed = |from: Pos2, to: Pos2| {
+    let thin = |from: Pos2, to: Pos2| {
         let stroke = Stroke::new(1.0, tokens.muted);
         painter.extend(Shape::dashed_line(&[from, to], stroke, 5.0, 4.0));
     };
     if plot.diagonal {
-        dashed(frame.rect.left_bottom(), frame.rect.right_top());
+        thin(frame.rect.left_bottom(), frame.rect.right_top());
     }
     if let Some((x, words)) = &plot.limit {
         let at = frame.at(*x, plot.y.low);
-        dashed(at, pos2(at.x, frame.rect.top()));
+        thin(at, pos2(at.x, frame.rect.top()));
         let (align, y) = if plot.limit_below() {
             (Align2::RIGHT_BOTTOM, frame.rect.bottom() - 2.0)
         } else {
@@ -98,8 +100,8 @@ pub(super) fn paint(ui: &mut Ui, plot: &Plot, tokens: &Tokens) {
         };
         small(pos2(at.x - 4.0, y), align, words, tokens.muted);
     }
-    for (series, color) in plot.series.iter().zip(colors) {
-        paint_series(&painter, &frame, series, color);
+    for (series, look) in plot.series.iter().zip(looks) {
+        paint_series(&painter, &frame, series, look);
     }
     let nearest = response.hover_pos().and_then(|at| nearest(&frame, at));
     if let Some(point) = nearest {
@@ -150,7 +152,20 @@ fn paint_axes(painter: &Painter, frame: &PlotFrame<'_>, tokens: &Tokens) {
     text(below, Align2::CENTER_TOP, &plot.x.label);
 }
 
-fn paint_series(painter: &Painter, frame: &PlotFrame<'_>, series: &PlotSeries, color: Color32) {
+/// Colours and dashes of the series.
+fn looks(tokens: &Tokens) -> [(Color32, Dash); 2] {
+    [
+        (tokens.dead_reckoning, None),
+        (tokens.accent, Some((7.0, 4.0))),
+    ]
+}
+
+fn paint_series(
+    painter: &Painter,
+    frame: &PlotFrame<'_>,
+    series: &PlotSeries,
+    (color, dash): (Color32, Dash),
+) {
     if series.style == SeriesStyle::Dots {
         for point in &series.points {
             let bar = [point.low, point.high].map(|y| frame.at(point.x, y));
@@ -173,5 +188,5 @@ fn paint_series(painter: &Painter, frame: &PlotFrame<'_>, series: &PlotSeries, c
     }
     painter.add(Shape::mesh(band));
     let line = corners.iter().map(|p| frame.at(p.x, p.y)).collect();
-    painter.add(Shape::line(line, Stroke::new(2.0, color)));
+    painter.extend(dashed(line, Stroke::new(2.0, color), dash));
 }
