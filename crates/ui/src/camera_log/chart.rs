@@ -67,7 +67,7 @@ impl ShownComponent {
         match self {
             Self::Track | Self::North => Some(length * summary.place),
             Self::Heading => summary.heading.map(f64::to_degrees),
-            Self::Height => summary.log_height.map(|l| 100.0 * l),
+            Self::Height => summary.log_height.map(height_percent),
         }
     }
 
@@ -80,9 +80,14 @@ impl ShownComponent {
             }
             Self::North => [Some(length * residual.north), Some(length * residual.east)],
             Self::Heading => [residual.heading.map(f64::to_degrees), None],
-            Self::Height => [residual.log_height.map(|l| 100.0 * l.exp_m1()), None],
+            Self::Height => [residual.log_height.map(height_percent), None],
         }
     }
+}
+
+/// Error of a height in per cent of it, of the logarithm of their ratio.
+pub(super) fn height_percent(log: f64) -> f64 {
+    100.0 * log.exp_m1()
 }
 
 /// Colours of the curves.

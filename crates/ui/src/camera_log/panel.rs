@@ -4,7 +4,7 @@ use egui::{Color32, RichText, ScrollArea, Ui, vec2};
 use pilotage_core::calibration::{CameraAdjustment, ResidualSummary};
 
 use super::CameraLogCommand as Do;
-use super::chart::{ShownComponent, colours, mark, residual_chart};
+use super::chart::{ShownComponent, colours, height_percent, mark, residual_chart};
 use super::numbers;
 use super::work::{CameraLog, Missing, ResidualPreview};
 use crate::command::Command;
@@ -266,5 +266,7 @@ fn summaries(ui: &mut Ui, context: &ViewContext<'_>, preview: &ResidualPreview) 
     row("Heading, °".to_owned(), &|s| {
         s.heading.map(f64::to_degrees)
     });
-    row("Height, %".to_owned(), &|s| s.log_height.map(|l| 100.0 * l));
+    row("Height, %".to_owned(), &|s| {
+        s.log_height.map(height_percent)
+    });
 }

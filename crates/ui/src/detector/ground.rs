@@ -1,9 +1,10 @@
-//! The searched ground on the screen, with metres along its sides.
+//! The searched ground on the screen, with lengths along its sides.
 
 use egui::{Align2, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 use pilotage_core::landmark::CascadeEvidence;
 
 use crate::tokens::Tokens;
+use crate::units::Units;
 use crate::views::chart::{self, ChartAxes};
 use crate::views::parts;
 
@@ -83,8 +84,9 @@ impl<'a> GroundPlan<'a> {
         painter.image(over, self.windows(), whole, white);
     }
 
-    /// Draws the frame and the metres along it.
-    pub fn paint_axes(&self, painter: &Painter, tokens: &Tokens) {
+    /// Draws the frame and the lengths along it.
+    pub fn paint_axes(&self, painter: &Painter, tokens: &Tokens, units: Units) {
+        let (factor, _) = units.length();
         let rect = self.rect();
         let stroke = Stroke::new(1.0, tokens.line);
         painter.rect_stroke(rect, 0.0, stroke, StrokeKind::Outside);
@@ -92,24 +94,25 @@ impl<'a> GroundPlan<'a> {
             painter.text(at, align, text, parts::small(tokens), tokens.muted);
         };
         let most = |room: f32| ((room / 44.0) as usize).clamp(2, 8);
-        let ticks = |(low, high): (f64, f64), room| chart::ticks(low, high, most(room));
+        let ticks =
+            |(low, high): (f64, f64), room| chart::ticks(factor * low, factor * high, most(room));
         for east in ticks(self.axes.x, rect.width()) {
-            let x = self.axes.screen_x(east);
+            let x = self.axes.screen_x(east / factor);
             painter.vline(x, rect.bottom()..=rect.bottom() + 3.0, stroke);
             let at = pos2(
                 x.clamp(rect.left() + 6.0, rect.right() - 6.0),
                 rect.bottom() + 3.0,
             );
-            text(at, Align2::CENTER_TOP, &metres(east));
+            text(at, Align2::CENTER_TOP, &whole(east));
         }
         for north in ticks(self.axes.y, rect.height()) {
-            let y = self.axes.screen_y(north);
+            let y = self.axes.screen_y(north / factor);
             painter.hline(rect.left() - 3.0..=rect.left(), y, stroke);
             let at = pos2(
                 rect.left() - 4.0,
                 y.clamp(rect.top() + 6.0, rect.bottom() - 6.0),
             );
-            text(at, Align2::RIGHT_CENTER, &metres(north));
+            text(at, Align2::RIGHT_CENTER, &whole(north));
         }
     }
 
@@ -150,13 +153,16 @@ impl<'a> GroundPlan<'a> {
 }
 
 /// The legend of the marks in a row.
-pub(super) fn legend(ui: &mut egui::Ui, tokens: &Tokens) {
+pub(super) fn legend(ui: &mut egui::Ui, tokens: &Tokens, units: Units) {
+    let (_, unit) = units.length();
     let height = 1.5 * tokens.text_sizes[0];
     let size = Vec2::new(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
     parts::name(
         &response,
-        "Ring: best place; orange ring: second best; cross: expected place. Metres north and east of it",
+        format!(
+            "Ring: best place; orange ring: second best; cross: expected place. {unit} north and east of it"
+        ),
     );
     let painter = ui.painter_at(rect);
     let (mut left, middle) = (rect.left(), rect.center().y);
@@ -173,9 +179,10 @@ pub(super) fn legend(ui: &mut egui::Ui, tokens: &Tokens) {
     let stroke = Stroke::new(1.5, parts::ink(tokens));
     painter.hline(at.x - 4.0..=at.x + 4.0, at.y, stroke);
     painter.vline(at.x, at.y - 4.0..=at.y + 4.0, stroke);
-    text(left + 13.0, "expected; metres north and east of it");
+    let words = format!("expected; {unit} north and east of it");
+    text(left + 13.0, &words);
 }
 
-fn metres(value: f64) -> String {
+fn whole(value: f64) -> String {
     format!("{:.0}", value + 0.0).replace('-', "−")
 }

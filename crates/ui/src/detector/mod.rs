@@ -174,7 +174,8 @@ impl DetectorView {
             let texture = self.rejected(ui, tokens, evidence, passed);
             if let Some(textures) = &self.textures {
                 let pictures = [textures.ground.id(), texture];
-                if let Some(chosen) = stages::show(ui, tokens, evidence, passed, pictures) {
+                let units = context.units;
+                if let Some(chosen) = stages::show(ui, tokens, evidence, passed, pictures, units) {
                     self.passed = Some(chosen);
                     self.playing = None;
                 }
@@ -190,12 +191,13 @@ impl DetectorView {
                     .patches
                     .each_ref()
                     .map(|t| t.as_ref().map(TextureHandle::id));
-                self.patch.show(ui, tokens, evidence, stage, ids);
+                self.patch
+                    .show(ui, tokens, evidence, stage, ids, context.units);
             }
         });
         parts::section(ui, tokens, "Score over the searched ground", true, |ui| {
             if let Some(textures) = &self.textures {
-                surface::show(ui, tokens, evidence, textures.score.id());
+                surface::show(ui, tokens, evidence, textures.score.id(), context.units);
             }
         });
     }

@@ -11,6 +11,7 @@ use super::words;
 use crate::shell::icon_button;
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
+use crate::units::Units;
 use crate::views::parts;
 
 /// Most height of a patch, points.
@@ -36,6 +37,7 @@ impl PatchState {
         evidence: &CascadeEvidence,
         stage: usize,
         textures: [Option<TextureId>; 2],
+        units: Units,
     ) {
         if self.stage != stage {
             (self.stage, self.feature) = (stage, 0);
@@ -60,18 +62,20 @@ impl PatchState {
         let caption = 1.5 * tokens.text_sizes[0];
         let whole = vec2(ui.available_width(), scale * size.y + caption);
         let (area, response) = ui.allocate_exact_size(whole, Sense::hover());
-        let words = words::feature(evidence, stage, self.feature, Some(patch));
+        let words = words::feature(evidence, stage, self.feature, Some(patch), units);
         parts::name(
             &response,
             format!("Patch with a feature of the stage. {words}"),
         );
         let painter = ui.painter_at(area);
-        let metres = f64::from(size.x) * evidence.window.gsd;
+        let (factor, unit) = units.length();
+        let pixel = factor * evidence.window.gsd;
+        let width = f64::from(size.x) * pixel;
         let captions = [
-            format!("Stage {}, {metres:.1} m wide", stage + 1),
+            format!("Stage {}, {width:.1} {unit} wide", stage + 1),
             format!(
-                "Edges in cells of {:.1} m",
-                patch.hog.cell as f64 * evidence.window.gsd
+                "Edges in cells of {:.1} {unit}",
+                patch.hog.cell as f64 * pixel
             ),
         ];
         for (number, text) in captions.into_iter().enumerate() {

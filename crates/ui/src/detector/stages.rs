@@ -11,6 +11,7 @@ use crate::context::ViewContext;
 use crate::shell::icon_button;
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
+use crate::units::Units;
 use crate::views::{color_map, parts};
 
 /// Height of the ground with its numbers, points.
@@ -65,6 +66,7 @@ pub(super) fn show(
     evidence: &CascadeEvidence,
     passed: usize,
     [ground, rejected]: [TextureId; 2],
+    units: Units,
 ) -> Option<usize> {
     let width = ui.available_width();
     let room = vec2(width - COUNTS - 2.0 * tokens.space, HEIGHT);
@@ -80,7 +82,7 @@ pub(super) fn show(
     let plan = GroundPlan::within(evidence, Rect::from_min_size(area.min, size));
     let painter = ui.painter_at(area);
     plan.paint(&painter, Some(ground), rejected);
-    plan.paint_axes(&painter, tokens);
+    plan.paint_axes(&painter, tokens, units);
     plan.paint_expected(&painter, tokens);
     plan.paint_marks(&painter, tokens, true);
     let left = plan.rect().right() + 1.5 * tokens.space;
@@ -89,7 +91,7 @@ pub(super) fn show(
         pos2(area.right().min(left + 260.0), area.bottom()),
     );
     let chosen = funnel(ui, tokens, evidence, passed, counts);
-    legend(ui, tokens);
+    legend(ui, tokens, units);
     chosen
 }
 

@@ -6,6 +6,7 @@ use pilotage_core::landmark::{CascadeEvidence, MarkedPlace};
 
 use super::ground::{GroundPlan, legend};
 use crate::tokens::Tokens;
+use crate::units::Units;
 use crate::views::parts::{self, figures};
 use crate::views::{chart, color_map};
 
@@ -25,20 +26,26 @@ pub(super) fn range(evidence: &CascadeEvidence) -> (f32, f32) {
 }
 
 /// Draws the surface with the places found, its colour scale, and what was found in numbers.
-pub(super) fn show(ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, score: TextureId) {
+pub(super) fn show(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    evidence: &CascadeEvidence,
+    score: TextureId,
+    units: Units,
+) {
     let width = ui.available_width();
     let room = vec2(width - SCALE - 2.0 * tokens.space, HEIGHT);
     let size = GroundPlan::size_within(evidence, room);
     let (area, response) = ui.allocate_exact_size(vec2(width, size.y), Sense::hover());
     parts::name(
         &response,
-        format!("Score of every window. {}", best(evidence)),
+        format!("Score of every window. {}", best(evidence, units)),
     );
     let plan = GroundPlan::within(evidence, Rect::from_min_size(area.min, size));
     let painter = ui.painter_at(area);
     painter.rect_filled(plan.rect(), 0.0, tokens.raised);
     plan.paint(&painter, None, score);
-    plan.paint_axes(&painter, tokens);
+    plan.paint_axes(&painter, tokens, units);
     plan.paint_expected(&painter, tokens);
     plan.paint_marks(&painter, tokens, false);
     let left = plan.rect().right() + 2.0 * tokens.space;
@@ -47,7 +54,7 @@ pub(super) fn show(ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, sco
         pos2(left + BAR, plan.rect().bottom()),
     );
     scale(&painter, tokens, evidence, bar);
-    legend(ui, tokens);
+    legend(ui, tokens, units);
     ui.label(
         RichText::new(MEANING)
             .size(tokens.text_sizes[0])
@@ -75,8 +82,9 @@ pub(super) fn show(ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, sco
     let reading = parts::NumberReadout::new("Probability that this score is right", chance, "");
     parts::reading(ui, tokens, &reading);
     let names = ["North of where expected", "East of where expected"];
+    let (factor, unit) = units.length();
     for (name, value) in names.into_iter().zip(offset(evidence, best)) {
-        let reading = parts::NumberReadout::new(name, parts::brief(value), "m");
+        let reading = parts::NumberReadout::new(name, parts::brief(factor * value), unit);
         parts::reading(ui, tokens, &reading);
     }
 }
@@ -90,13 +98,16 @@ fn offset(evidence: &CascadeEvidence, mark: &MarkedPlace) -> [f64; 2] {
 }
 
 /// The best place in words.
-fn best(evidence: &CascadeEvidence) -> String {
+fn best(evidence: &CascadeEvidence, units: Units) -> String {
     let Some(mark) = evidence.marks.first() else {
         return "No place found".to_owned();
     };
-    let [north, east] = offset(evidence, mark);
+    let (factor, unit) = units.length();
+    let [north, east] = offset(evidence, mark).map(|value| factor * value);
     let score = figures(mark.score);
-    format!("Best {north:.1} m north and {east:.1} m east of where expected, score {score}")
+    format!(
+        "Best {north:.1} {unit} north and {east:.1} {unit} east of where expected, score {score}"
+    )
 }
 
 /// The colours and the scores that they stand for; from zero on every stage was passed.

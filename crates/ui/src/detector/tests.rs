@@ -15,6 +15,7 @@ use pilotage_core::raster::{Raster, Rgba, decode_picture};
 
 use super::*;
 use crate::tokens::Tokens;
+use crate::units::Units;
 use crate::views::canvas;
 use crate::views::fixture::Fixture;
 
@@ -106,6 +107,7 @@ struct State {
     run: u64,
     time: f64,
     commands: Vec<Command>,
+    units: Units,
 }
 
 impl State {
@@ -123,6 +125,7 @@ impl State {
             run: 1,
             time: 9.0,
             commands: Vec::new(),
+            units: Units::Metric,
         }
     }
 
@@ -152,6 +155,7 @@ impl State {
         let mut context = ViewContext {
             selection,
             tokens,
+            units: self.units,
             ..self.fixture.context(self.time, &mut commands)
         };
         let search = self.search.as_ref().map(|search| {
@@ -369,4 +373,21 @@ fn the_view_can_be_looked_at() {
             picture.save(path).unwrap();
         }
     }
+}
+
+#[test]
+fn lengths_are_told_in_the_units_of_the_page() {
+    let mut harness = looked(Look::Edges);
+    let count = |harness: &Harness<'static, State>, unit: &str| {
+        let words = format!(" {unit} north and ");
+        harness.query_all_by_label_contains(&words).count()
+    };
+    let in_metres = count(&harness, "m");
+    assert!(in_metres > 0);
+    harness.state_mut().units = Units::Aviation;
+    harness.run();
+    assert_eq!(
+        (count(&harness, "m"), count(&harness, "ft")),
+        (0, in_metres)
+    );
 }

@@ -3,6 +3,7 @@
 use pilotage_core::landmark::cascade::CascadeKind;
 use pilotage_core::landmark::{CascadeEvidence, PatchLook};
 
+use crate::units::Units;
 use crate::views::parts::figures;
 
 /// A whole number with its thousands apart.
@@ -99,6 +100,7 @@ pub(super) fn feature(
     stage: usize,
     number: usize,
     patch: Option<&PatchLook>,
+    units: Units,
 ) -> String {
     let look = evidence.stages.get(stage);
     let Some(shown) = look.and_then(|look| look.features.get(number)) else {
@@ -111,9 +113,10 @@ pub(super) fn feature(
             // Angles of pictures run from right towards down; people measure from right towards up.
             let edge = (180.0 - edge).rem_euclid(180.0);
             let block = shown.areas.get(1).map_or(0, |(area, _)| area[2]);
-            let across = f64::from(block) * evidence.window.gsd;
+            let (factor, unit) = units.length();
+            let across = factor * f64::from(block) * evidence.window.gsd;
             format!(
-                "Edges at {edge:.0}° in the filled cell, as a share of all in its block ({across:.1} m wide)"
+                "Edges at {edge:.0}° in the filled cell, as a share of all in its block ({across:.1} {unit} wide)"
             )
         }
         CascadeKind::Lbp => {

@@ -99,8 +99,13 @@ impl MatchView {
                     );
                 }
                 verdict(ui, context, run, &name, candidate);
-                self.textures
-                    .show(ui, tokens, chosen, nothing_to_show(candidate));
+                self.textures.show(
+                    ui,
+                    tokens,
+                    chosen,
+                    nothing_to_show(candidate),
+                    context.units,
+                );
                 numbers::show(ui, context, run, candidate);
             });
     }

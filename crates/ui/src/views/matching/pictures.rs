@@ -4,6 +4,7 @@ use egui::{Align2, Rect, Sense, Stroke, TextureHandle, TextureOptions, Ui, pos2,
 
 use super::super::{ExplainedStep, color_map, parts};
 use crate::tokens::Tokens;
+use crate::units::Units;
 use pilotage_jobs::MatchPictures;
 
 /// Most height of a picture, points.
@@ -27,6 +28,7 @@ impl MatchTextures {
         tokens: &Tokens,
         pictures: Option<(ExplainedStep, &MatchPictures)>,
         never: Option<&str>,
+        units: Units,
     ) {
         let gap = tokens.space;
         let width = ui.available_width();
@@ -116,7 +118,7 @@ impl MatchTextures {
             );
         }
         ui.add_space(0.5 * gap);
-        legend(ui, tokens, pictures);
+        legend(ui, tokens, pictures, units);
     }
 
     /// Textures of the patch, the rectified picture and the score surface, as shown last.
@@ -210,8 +212,8 @@ fn marks(
 /// Scores at the two ends of the colour scale, the same for every match so that they compare.
 const SCORES: (f32, f32) = (-0.2, 1.0);
 
-/// The colour scale of the score, the marks, and the common scale in metres.
-fn legend(ui: &mut Ui, tokens: &Tokens, pictures: &MatchPictures) {
+/// The colour scale of the score, the marks, and the common scale.
+fn legend(ui: &mut Ui, tokens: &Tokens, pictures: &MatchPictures, units: Units) {
     let height = 1.5 * tokens.text_sizes[0];
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let painter = ui.painter_at(rect);
@@ -240,11 +242,13 @@ fn legend(ui: &mut Ui, tokens: &Tokens, pictures: &MatchPictures) {
         painter.rect_filled(part, 0.0, color_map::viridis(fraction));
     }
     left = text(bar.right() + 4.0, format!("{:.0}", SCORES.1)) + tokens.space;
-    let scale = format!("{:.2} m per pixel", pictures.gsd);
+    let (factor, unit) = units.length();
+    let pixel = factor * pictures.gsd;
+    let scale = format!("{pixel:.2} {unit} per pixel");
     let galley = painter.layout_no_wrap(scale.clone(), parts::small(tokens), tokens.muted);
     if left + galley.size().x <= rect.right() {
         text(left, scale);
     } else {
-        text(left, format!("{:.2} m/px", pictures.gsd));
+        text(left, format!("{pixel:.2} {unit}/px"));
     }
 }
