@@ -1,8 +1,11 @@
 //! The landmarks beside the picture: which one is labelled, and how many labels each has.
 
+use std::collections::BTreeMap;
+
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::exchange::labels::LabelFormat;
 use pilotage_core::flight::Flight;
+use pilotage_core::mission::{LabelBox, Mission};
 
 use super::{LabelCommand, Labeller, color, said_of};
 use crate::command::Command;
@@ -97,8 +100,9 @@ impl Labeller {
                 caption(ui, tokens, "Boxes · without");
             });
         });
+        let counts = counts(context.mission, &identity);
         for (row, landmark) in context.mission.landmarks.iter().enumerate() {
-            let (boxes, without) = context.mission.label_counts(&identity, landmark.id);
+            let (boxes, without) = counts.get(&landmark.id).copied().unwrap_or_default();
             let is_chosen = context.selection == Some(landmark.id);
             let said = match &labels {
                 Some(l) if l.of(landmark.id).is_some() => "labelled here",
@@ -233,5 +237,60 @@ impl Labeller {
         let text = "Drag: box. Drag inside: move. Drag an edge: size. Alt with arrows: one pixel, \
             with Shift the size. Wheel: nearer. Right drag: shift.";
         ui.label(muted(tokens, text));
+    }
+}
+
+/// Pictures of a flight with a box of each landmark, and those that are marked as without it: all labels are gone through
+/// once.
+fn counts(mission: &Mission, flight: &str) -> BTreeMap<u32, (usize, usize)> {
+    let mut counts: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
+    for labels in mission.labels.iter().filter(|it| it.is_of(flight)) {
+        for (index, label) in labels.boxes.iter().enumerate() {
+            let is_first = |other: &LabelBox| other.landmark != label.landmark;
+            if labels.boxes[..index].iter().all(is_first) {
+                counts.entry(label.landmark).or_default().0 += 1;
+            }
+        }
+        for (index, landmark) in labels.absent.iter().enumerate() {
+            if !labels.absent[..index].contains(landmark) {
+                counts.entry(*landmark).or_default().1 += 1;
+            }
+        }
+    }
+    counts
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::mission::FrameLabels;
+
+    use super::*;
+    use crate::documents::empty_mission;
+
+    #[test]
+    fn all_landmarks_are_counted_at_once_as_each_by_itself() {
+        let picture = |flight: &str, number: u32| FrameLabels {
+            flight: flight.to_owned(),
+            frame: format!("{number}.jpg"),
+            size: (640, 480),
+            boxes: [1, 2, 2]
+                .into_iter()
+                .filter(|id| number % id == 0)
+                .filter_map(|id| LabelBox::new(id, "", [[10.0; 2], [60.0; 2]], (640, 480)))
+                .collect(),
+            absent: vec![3, 3 + number % 2],
+            ..FrameLabels::default()
+        };
+        let mut mission = empty_mission();
+        for number in 0..12 {
+            let flight = ["here", "there", ""][number as usize % 3];
+            mission.labels.push(picture(flight, number));
+        }
+        let counts = counts(&mission, "here");
+        for id in 0..6 {
+            let counted = counts.get(&id).copied().unwrap_or_default();
+            assert_eq!(counted, mission.label_counts("here", id), "{id}");
+        }
+        assert!(counts[&2].0 > 0 && counts[&3].1 > 0);
     }
 }

@@ -5,6 +5,7 @@ use pilotage_core::flight::FrameTruth;
 use pilotage_core::frames::Pose;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::LabelBox;
+use pilotage_core::navigator::StepReport;
 
 use crate::context::ViewContext;
 
@@ -22,7 +23,7 @@ pub(super) fn proposed(
     let truth = flight.truth.as_ref().and_then(|t| t.frames.get(frame));
     let pose = truth
         .and_then(FrameTruth::pose)
-        .or_else(|| assumed(context, frame))?;
+        .or_else(|| assumed(&context.run?.steps, flight.frames.get(frame)?.time, frame))?;
     let camera = flight.camera_of_frame(frame);
     let bounds = landmark.bounds;
     let corners = [
@@ -54,15 +55,41 @@ fn area(low: [f64; 2], high: [f64; 2]) -> f64 {
     (high[0] - low[0]) * (high[1] - low[1])
 }
 
-fn assumed(context: &ViewContext<'_>, frame: usize) -> Option<Pose> {
-    let reports = context.run?.steps.iter().filter_map(|s| s.frame.as_ref());
-    let report = reports.into_iter().find(|r| r.index == frame);
-    report.map(|r| r.assumed_pose)
+/// Pose that the navigator assumed of the frame of that index, taken at `time`, seconds: steps and their frames are in the
+/// order of time, so that it is found from there.
+fn assumed(steps: &[StepReport], time: f64, frame: usize) -> Option<Pose> {
+    let (before, after) = steps.split_at(steps.partition_point(|step| step.time < time));
+    let reports = |step: &StepReport| step.frame.as_ref().map(|it| (it.index, it.assumed_pose));
+    let mut behind = after.iter().filter_map(reports);
+    let mut ahead = before.iter().rev().filter_map(reports);
+    let found = behind.find(|(index, _)| *index >= frame);
+    let found = found.filter(|(index, _)| *index == frame);
+    let found = found.or_else(|| ahead.find(|(index, _)| *index <= frame));
+    let found = found.filter(|(index, _)| *index == frame);
+    found.map(|(_, pose)| pose)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::views::fixture::Fixture;
+
+    #[test]
+    fn the_pose_of_a_frame_is_found_from_its_time_however_late_it_was_used() {
+        let fixture = Fixture::lasting(20.0);
+        let steps = &fixture.run.steps;
+        let used: Vec<_> = steps.iter().filter_map(|it| it.frame.as_ref()).collect();
+        assert!(used.len() > 5);
+        for late in [-1.3, 0.0, 0.7] {
+            for report in &used {
+                let time = fixture.flight.frames[report.index].time + late;
+                let pose = assumed(steps, time, report.index);
+                assert_eq!(pose, Some(report.assumed_pose), "{late}");
+            }
+        }
+        assert_eq!(assumed(steps, 3.0, 100_000), None);
+        assert_eq!(assumed(&[], 3.0, 1), None);
+    }
 
     #[test]
     fn of_a_landmark_most_of_which_is_outside_no_sliver_is_proposed() {

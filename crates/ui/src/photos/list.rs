@@ -1,7 +1,7 @@
 //! Results of the photos, a row each.
 
+use egui::{Align, Layout, Rect, UiBuilder, pos2, vec2};
 use egui::{Align2, Color32, Label, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo};
-use egui::{pos2, vec2};
 use pilotage_core::filter::probability_words;
 
 use super::PhotosCommand as Do;
@@ -35,16 +35,56 @@ pub(super) fn list(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosSt
         .id_salt("list of photos")
         .max_height(SEEN)
         .auto_shrink([false, true])
-        .show(ui, |ui| {
-            for number in 0..photos.reports.len() {
-                row(ui, context, photos, number);
-            }
-        });
+        .show_viewport(ui, |ui, seen| rows(ui, context, photos, seen));
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
     if photos.counts().0 > 0 {
         let words = "On the map the chosen photo has the bold outline; the heavy edge is the top of the picture.";
         ui.add(Label::new(muted(tokens, words)).wrap());
     }
+}
+
+/// Reason for which a photo was not laid, if it was not.
+fn refusal(photos: &PhotosState, number: usize) -> Option<&str> {
+    let report = photos.reports[number].as_ref()?;
+    report.answer.laid.as_ref().err().map(String::as_str)
+}
+
+/// Height of the line with that reason, points.
+fn reason_height(tokens: &Tokens) -> f32 {
+    1.5 * tokens.text_sizes[0]
+}
+
+/// Draws the rows of the part of the list that is seen: of thousands of photos no more are laid out.
+fn rows(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, seen: Rect) {
+    let tokens = context.tokens;
+    let (plain, reason) = (table::height(tokens), reason_height(tokens));
+    let height = |number: usize| {
+        let is_refused = refusal(photos, number).is_some();
+        plain + if is_refused { reason } else { 0.0 }
+    };
+    let count = photos.reports.len();
+    let mut top = 0.0;
+    let mut first = 0;
+    while first < count && top + height(first) <= seen.top() {
+        top += height(first);
+        first += 1;
+    }
+    let mut bottom = top;
+    let mut end = first;
+    while end < count && bottom < seen.bottom() {
+        bottom += height(end);
+        end += 1;
+    }
+    let whole = bottom + (end..count).map(height).sum::<f32>();
+    let area = ui.max_rect();
+    ui.set_height(whole);
+    let shown = Rect::from_x_y_ranges(area.x_range(), area.top() + top..=area.top() + bottom);
+    ui.scope_builder(UiBuilder::new().max_rect(shown), |ui| {
+        ui.skip_ahead_auto_ids(first);
+        for number in first..end {
+            row(ui, context, photos, number);
+        }
+    });
 }
 
 /// Numbers of a row: four of them.
@@ -74,7 +114,7 @@ fn heading(radians: f64) -> String {
 fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, number: usize) {
     let tokens = context.tokens;
     let report = photos.reports[number].as_ref();
-    let refused = report.and_then(|r| r.answer.laid.as_ref().err());
+    let refused = refusal(photos, number);
     let cells = cells(report, context.units);
     let name = photos.name(number);
     let is_chosen = photos.chosen == Some(number);
@@ -95,13 +135,16 @@ fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, number:
             );
         });
         if let Some(why) = refused {
-            ui.indent(("why not", number), |ui| {
+            // All of it stands below the list once the photo is chosen.
+            let size = vec2(ui.available_width(), reason_height(tokens));
+            let (mut line, _) = ui.allocate_exact_size(size, Sense::hover());
+            line.set_left(line.left() + 2.0 * tokens.space);
+            let left_to_right = Layout::left_to_right(Align::Center);
+            let builder = UiBuilder::new().max_rect(line).layout(left_to_right);
+            ui.scope_builder(builder, |ui| {
                 let text = RichText::new(why).size(tokens.text_sizes[0]);
-                ui.add(
-                    Label::new(text.color(tokens.warning))
-                        .wrap()
-                        .selectable(false),
-                );
+                let text = text.color(tokens.warning);
+                ui.add(Label::new(text).truncate().selectable(false));
             });
         }
     });
@@ -153,7 +196,42 @@ fn mark(ui: &mut Ui, tokens: &Tokens, report: Option<&PhotoReport>) {
 
 #[cfg(test)]
 mod tests {
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+    use pilotage_jobs::MapSource;
+
+    use super::super::state::Sought;
     use super::*;
+    use crate::views::fixture::Fixture;
+
+    #[test]
+    fn of_a_thousand_photos_only_those_that_are_seen_are_laid_out() {
+        let mut photos = PhotosState::default();
+        photos.sought = Some(Sought {
+            key: "opened-1".to_owned(),
+            names: (0..1000).map(|i| format!("photo {i}.jpg")).collect(),
+            map: MapSource::Nothing,
+            origin: None,
+            ground: GroundRect::centered(GroundPoint::default(), 100.0, 100.0),
+        });
+        photos.reports.resize(1000, None);
+        let fixture = Fixture::lasting(2.0);
+        let draw = |ui: &mut Ui| {
+            let mut commands = Vec::new();
+            let mut context = fixture.context(1.0, &mut commands);
+            list(ui, &mut context, &photos);
+        };
+        let builder = Harness::builder().with_size([360.0, 500.0]);
+        let mut harness = builder.build_ui(draw);
+        harness.run();
+        let is_row = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
+            let label = node.label();
+            node.role() == Role::Button && label.is_some_and(|it| it.starts_with("photo "))
+        };
+        let count = harness.query_all_by(is_row).count();
+        assert!((3..40).contains(&count), "{count}");
+    }
 
     #[test]
     fn a_heading_is_told_clockwise_from_north() {

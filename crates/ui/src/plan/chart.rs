@@ -108,7 +108,7 @@ impl Chart {
         let clip = painter.with_clip_rect(rect);
         let at = |distance: f64, metres: f64| axes.at(distance * far, metres * near);
         paint_over(&clip, scene, &at, rect);
-        scene.flown.paint_against(&clip, &at, tokens);
+        scene.flown.paint_against(&clip, &axes, (far, near), tokens);
         curve(
             &clip,
             samples,

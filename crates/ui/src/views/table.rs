@@ -26,8 +26,8 @@ pub(crate) fn heads(ui: &mut Ui, tokens: &Tokens, titles: &[String], lead: impl 
     tall_row(ui, tokens, titles, height(tokens), lead);
 }
 
-/// Height of a row in which nothing can be pressed.
-fn height(tokens: &Tokens) -> f32 {
+/// Height of a row in which nothing can be pressed, points.
+pub(crate) fn height(tokens: &Tokens) -> f32 {
     tokens.text_sizes[1] + 1.5 * tokens.space
 }
 

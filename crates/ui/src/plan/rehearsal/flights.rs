@@ -3,6 +3,7 @@
 use pilotage_core::plan::{PlanComparison, Verification};
 use serde::{Deserialize, Serialize};
 
+use super::drawn::{DrawnFlights, FlightsKey};
 use crate::feature::FeatureContext;
 use crate::plan::forecast::{Forecast, ShownPrediction};
 use pilotage_jobs::{Job, JobEvent, JobId, MapSource, PredictionOrder, RehearseOrder, Rehearsed};
@@ -38,6 +39,8 @@ pub struct RehearsedRoute {
     pub frames: Vec<PlanComparison>,
     /// Largest error, metres, and its distance along the path, metres.
     pub worst: (f64, f64),
+    /// Largest error across the course, to either side, metres.
+    pub farthest: f64,
 }
 
 impl RehearsedRoute {
@@ -45,10 +48,12 @@ impl RehearsedRoute {
         let frames = flown.frames;
         let worst = PlanComparison::worst(&frames);
         let worst = worst.map_or((0.0, 0.0), |it| (it.error(), it.distance));
+        let across = frames.iter().map(|it| it.across.abs());
         Self {
             seed,
-            frames,
             worst,
+            farthest: across.fold(0.0, f64::max),
+            frames,
         }
     }
 }
@@ -82,6 +87,9 @@ pub struct RouteRehearsal {
     wanted: bool,
     /// Number of a prediction, and whether it is of the plan that was flown.
     seen: Option<(u64, bool)>,
+    /// Version of what was flown.
+    version: u64,
+    drawn: DrawnFlights,
 }
 
 impl RouteRehearsal {
@@ -101,7 +109,10 @@ impl RouteRehearsal {
     /// Stops, and forgets what was flown.
     pub fn forget(&mut self, context: &mut FeatureContext<'_>) {
         self.stop(context);
-        *self = Self::default();
+        *self = Self {
+            version: self.version + 1,
+            ..Self::default()
+        };
     }
 
     /// Begins what is wanted, and stops flights of a plan that is another by now; true if time must pass first.
@@ -186,6 +197,7 @@ impl RouteRehearsal {
                 Ok(flown) => {
                     let seed = self.under_way[at].seed;
                     self.flown.push(RehearsedRoute::new(seed, flown));
+                    self.version += 1;
                     let frames: Vec<_> = self.flown.iter().map(|it| &it.frames[..]).collect();
                     self.summary = Verification::of(&frames);
                 }
@@ -208,6 +220,12 @@ impl RouteRehearsal {
     /// Flights that were flown.
     pub fn flown(&self) -> &[RehearsedRoute] {
         &self.flown
+    }
+
+    /// Version of the flights and number of the prediction beside which they are, and their drawings.
+    pub(super) fn drawn(&self) -> (FlightsKey, &DrawnFlights) {
+        let number = self.seen.map_or(0, |(number, _)| number);
+        ((self.version, number), &self.drawn)
     }
 
     /// All flights together beside the prediction.

@@ -1,6 +1,7 @@
 //! Rehearsal of the selected route: flights of it in the simulation, beside its prediction.
 
 mod command;
+mod drawn;
 mod flights;
 mod paint;
 mod words;
