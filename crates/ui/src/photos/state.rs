@@ -34,7 +34,7 @@ pub struct Sought {
     pub ground: GroundRect,
 }
 
-/// How far is searched and how good the map is, without what is known better of some photos than they tell.
+/// Limits of a search and deviation of the map, without what is known better of some photos than they tell.
 fn limits(search: PhotoSearch) -> PhotoSearch {
     PhotoSearch {
         at: None,
