@@ -1,25 +1,28 @@
 //! `pilotage roads lost`: the place of photos, or of roads that were seen, among all roads of a map.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use nalgebra::{Point3, Vector2};
 use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::photo::{Photo, photo_pose, read_photo, told_focal};
-use pilotage_core::frames::{Attitude, Pose};
+use pilotage_core::frames::{Attitude, GroundPoint, GroundRect, LocalFrame, Pose};
 use pilotage_core::imagery::MemoryBytes;
 use pilotage_core::road::{NorthUpPicture, RoadDetection, SEEN_GSD};
 use pilotage_core::roads::RoadMap;
 use pilotage_core::roads::lost::{
-    LostSettings, RoadIndex, RoadView, ViewCrossing, ViewMotion, ViewPoint,
+    LostBelief, LostSettings, LostShare, PartSettings, RoadParts, RoadView, ViewCrossing,
+    ViewMotion, ViewPoint,
 };
 
 use super::source::{RoadSource, class};
-use pilotage_jobs::decode_photo;
+use pilotage_jobs::{JobEvent, RoadsLostOrder, decode_photo};
 
 use crate::CommandResult;
 use crate::notes::tell;
-use crate::numbers::{above_zero, any_number, numbers, zero_or_more};
+use crate::numbers::{above_zero, any_number, lat_lon, numbers, zero_or_more};
 use crate::plan::above_ground;
+use crate::workers::{self, Lent};
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.99;
@@ -76,6 +79,12 @@ pub struct Arguments {
     /// The least class of road that the map is searched for: path, track, service, residential, tertiary, …
     #[arg(long, default_value = "service")]
     least: String,
+    /// Place around which the last view's is sought, degrees; anywhere on the map if absent.
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
+    around: Option<String>,
+    /// Distance to the north, east, south and west within which it is sought then, kilometres.
+    #[arg(long, value_name = "KM", requires = "around", default_value_t = 10.0, value_parser = above_zero)]
+    within: f64,
     /// Probability that the views show ground of the map, before they are looked at, percent.
     #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
     on_map: f64,
@@ -89,17 +98,20 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let why = "is no probability; give percent above 0, 100 at most";
         return Err(format!("--on-map: {percent} {why}").into());
     }
-    let source = RoadSource::open(&arguments.map)?;
-    tell(&source.notes());
-    let frame = source.frame()?;
     let least = class(&arguments.least)?;
-    let index = RoadIndex::new(&source.map(Some(&frame)), least)
-        .map_err(|why| format!("{}: {why}", arguments.map))?;
+    let motions = motions(arguments)?;
+    let around = arguments.around.as_deref();
+    let around = around.map(|at| lat_lon(at, "--around")).transpose()?;
+    // A view that cannot be read is told before anything is made of the map.
     let mut views = Vec::new();
     for path in &arguments.views {
         views.push(view(path, arguments)?);
     }
-    let motions = motions(arguments)?;
+    let source = RoadSource::open(&arguments.map)?;
+    tell(&source.notes());
+    let frame = around.map_or_else(|| source.frame(), |at| Ok(LocalFrame::new(at)))?;
+    let lines = source.lines(Some(&frame));
+    drop(source);
     let settings = LostSettings {
         turn: arguments.heading.to_radians(),
         within_turn: arguments.heading_within.to_radians(),
@@ -109,7 +121,23 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let mut views = views.into_iter();
     let first = views.next().ok_or("there is no view; name one")?;
     let then: Vec<(ViewMotion, RoadView)> = motions.into_iter().zip(views).collect();
-    let belief = index.locate_along(&first, &then, &settings);
+    let sought = PartSettings {
+        around: around.map(|_| {
+            let side = 2000.0 * arguments.within;
+            GroundRect::centered(GroundPoint::default(), side, side)
+        }),
+        ..PartSettings::of_views(least, &first, &then, settings.scale)
+    };
+    let parts =
+        RoadParts::new(lines, &sought).map_err(|why| format!("{}: {why}", arguments.map))?;
+    let belief = searched(parts, (first, then), settings)?;
+    if belief.left > 0 {
+        println!(
+            "{} of {} poses were looked at, those of the rarest pairs of crossings; --heading-within leaves fewer",
+            belief.tried,
+            belief.tried + belief.left
+        );
+    }
     let Some(place) = belief.place(BELIEVED) else {
         match belief.places.first() {
             Some(likeliest) => println!(
@@ -124,15 +152,52 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     };
     let below = frame.geodetic_from_ground(&place.pose.place);
     println!(
-        "{:.6}, {:.6}: {:.0} m north, {:.0} m east of the middle of the map; heading {:.1}°; {:.2} %",
+        "{:.6}, {:.6}: {:.0} m north, {:.0} m east of {}; heading {:.1}°; {:.2} %",
         below.latitude.to_degrees(),
         below.longitude.to_degrees(),
         place.pose.place.north,
         place.pose.place.east,
+        around.map_or("the middle of the map", |_| "that place"),
         place.pose.turn.to_degrees().rem_euclid(360.0),
         100.0 * place.probability
     );
     Ok(())
+}
+
+/// Belief over all parts, each searched by a thread of its own.
+fn searched(
+    parts: RoadParts,
+    views: (RoadView, Vec<(ViewMotion, RoadView)>),
+    settings: LostSettings,
+) -> Result<LostBelief, String> {
+    let count = parts.count();
+    let (parts, views) = (Arc::new(parts), Arc::new(views));
+    let order = |part| RoadsLostOrder {
+        parts: Arc::clone(&parts),
+        part,
+        views: Arc::clone(&views),
+        settings,
+    };
+    let orders = (0..count).map(order).collect();
+    let mut shares = vec![LostShare::default(); count];
+    let (mut done, mut shown) = (0, 0);
+    let threads = workers::processors();
+    workers::run_as_done(threads, orders, &Lent::default(), &mut |part, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Figures(_) => {
+                shares[part] = event.read_figures()?;
+                done += 1;
+                if count > 1 && 10 * done / count > shown {
+                    shown = 10 * done / count;
+                    eprintln!("{:3} %  {done} of {count} squares", 100 * done / count);
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    })?;
+    Ok(LostBelief::of_parts(shares))
 }
 
 /// Motions between the views.
@@ -164,7 +229,9 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
     let is_text = bytes.iter().find(|b| !b.is_ascii_whitespace()) == Some(&b'{');
     if is_text {
         let map: RoadMap = RoadSource::open(&name)?.map(None);
-        return RoadView::of_map(&map).ok_or_else(|| format!("{name}: it has no roads"));
+        let seen = RoadView::of_map(&map).ok_or_else(|| format!("{name}: it has no roads"))?;
+        seen.checked().map_err(|why| format!("{name}: {why}"))?;
+        return Ok(seen);
     }
     let picture = decode_photo(&name, &bytes).map_err(|e| format!("{name}: {e}"))?;
     let source = MemoryBytes::new(&name, bytes);
@@ -195,6 +262,7 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
         },
     };
     let farthest = FARTHEST_HEIGHTS * height;
+    let outline = camera.footprint_within(&pose, 0.0, farthest);
     let ground = NorthUpPicture::of(&camera, &pose, 0.0, &picture, SEEN_GSD, farthest);
     let Some(NorthUpPicture { window, pixels }) = ground else {
         return Ok(RoadView::default());
@@ -207,7 +275,7 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
         .points
         .iter()
         .filter(|point| point.probability >= LEAST_PROBABILITY);
-    Ok(RoadView {
+    let seen = RoadView {
         points: points
             .map(|point| ViewPoint {
                 place: place(point.pixel),
@@ -220,10 +288,8 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
                 directions: crossing.directions.clone(),
             })
             .collect(),
-        outline: camera
-            .footprint_within(&pose, 0.0, farthest)
-            .iter()
-            .map(|corner| corner.to_vector())
-            .collect(),
-    })
+        outline: outline.iter().map(|corner| corner.to_vector()).collect(),
+    };
+    seen.checked().map_err(|why| format!("{name}: {why}"))?;
+    Ok(seen)
 }

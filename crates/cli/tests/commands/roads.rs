@@ -136,6 +136,11 @@ fn roads_that_were_seen_are_found_in_their_town_and_not_in_another() {
     assert!(elsewhere.starts_with("no place"), "{elsewhere}");
     let refused = said(&["town.geojson", "seen.geojson", "seen.geojson"]).unwrap_err();
     assert!(refused.contains("2 views need 1 ways"), "{refused}");
+    let at = format!("--around={}", found.split(':').next().unwrap());
+    let around = said(&["town.geojson", "seen.geojson", &at, "--within=1"]).unwrap();
+    assert!(around.contains("heading 331."), "{around}");
+    let away = said(&["town.geojson", "seen.geojson", "--around=10,10"]).unwrap_err();
+    assert!(away.contains("no road around that place"), "{away}");
     // Roads as they are drawn have the scale that they have.
     let exact = said(&["town.geojson", "seen.geojson", "--height-within=0"]).unwrap();
     assert!(exact.contains("heading 331."), "{exact}");
@@ -143,4 +148,38 @@ fn roads_that_were_seen_are_found_in_their_town_and_not_in_another() {
         let refused = said(&["town.geojson", "seen.geojson", range]).unwrap_err();
         assert!(refused.contains("give a number, zero or more"), "{refused}");
     }
+}
+
+/// A town of [`town`] with a road at a latitude beside.
+fn with_stray(town: &str, latitude: f64) -> String {
+    let stray = format!(
+        r#""features":[{{"type":"Feature","properties":{{"highway":"residential"}},"geometry":{{"type":"LineString","coordinates":[[0,{latitude}],[0.01,{latitude}]]}}}},"#
+    );
+    town.replacen(r#""features":["#, &stray, 1)
+}
+
+#[test]
+fn a_road_far_off_is_one_more_square_of_a_map_and_refused_of_a_view() {
+    let folder = Folder::new("roads-lost-far");
+    let said = |words: &[&str]| folder.run(&[&["roads", "lost"], words].concat());
+    let seen = town(1, 0.5, 0.0033);
+    folder.write("town.geojson", town(1, 0.0, 1.0));
+    folder.write("seen.geojson", seen.as_str());
+    folder.write("far.geojson", with_stray(&town(1, 0.0, 1.0), 2.7));
+    let found = said(&["far.geojson", "seen.geojson"]).unwrap();
+    assert!(found.contains("heading 331."), "{found}");
+    folder.write("farthest.geojson", with_stray(&town(1, 0.0, 1.0), 50.0));
+    let refused = said(&["farthest.geojson", "seen.geojson"]).unwrap_err();
+    assert!(refused.contains("give --around"), "{refused}");
+    let around = said(&["farthest.geojson", "seen.geojson", "--around=0.003,0"]).unwrap();
+    assert!(around.contains("heading 331."), "{around}");
+    folder.write("stray.geojson", with_stray(&seen, 2.7));
+    let refused = said(&["town.geojson", "stray.geojson"]).unwrap_err();
+    assert!(
+        refused.contains("stray.geojson: it shows roads") && refused.contains("at most 5 km"),
+        "{refused}"
+    );
+    // A view that cannot be read is told before the map is looked for.
+    let first = said(&["nowhere.osm", "nothing.geojson"]).unwrap_err();
+    assert!(first.contains("nothing.geojson"), "{first}");
 }

@@ -105,7 +105,11 @@ impl RoadLine {
             let Some((from, to)) = shares_within(pair[0], pair[1], rect) else {
                 continue;
             };
-            let ends = [from, to].map(|share| between(pair[0], pair[1], share));
+            // Points of the line stay as they are to the bit: by them lines are joined.
+            let ends = [from, to].map(|share| match share {
+                1.0 => pair[1],
+                share => between(pair[0], pair[1], share),
+            });
             match parts.last_mut() {
                 Some(part) if part.last() == Some(&ends[0]) => part.push(ends[1]),
                 _ => parts.push(ends.to_vec()),

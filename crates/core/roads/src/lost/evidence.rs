@@ -1,6 +1,7 @@
 //! Agreement of a view with a place, counted both ways.
 
 use pilotage_base::frames::{GroundPoint, GroundRect};
+use serde::{Deserialize, Serialize};
 
 use super::field::bin;
 use super::index::RoadIndex;
@@ -15,7 +16,7 @@ pub const CLASSES: usize = DISTANCES.len() + 1;
 const EDGE: f64 = 8.0;
 
 /// Points of a view and of the map by their distance from roads of the other that run alike.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RoadEvidence {
     /// Points that were seen, by the distance of the nearest road of the map.
     pub seen: [u16; CLASSES],

@@ -26,9 +26,9 @@ const NEAR_PER_METRE: f32 = 0.03;
 const GIVE_UP: [(usize, f32); 2] = [(10, 0.3), (20, 0.38)];
 /// Share of the points of the first look that have to be near a road.
 const LEAST: f32 = 0.42;
-/// Most pairs of the map that are tried before the commoner pairs of the view are left out.
+/// Most pairs of the map, or of a part of it, that are tried before the commoner pairs of the view are left out.
 const MOST_TRIED: usize = 120_000;
-/// Most pairs of the map that are compared before less sure crossings are left out.
+/// Most pairs of the map, or of a part of it without the ground around, that are compared before less sure crossings are left out.
 const MOST_COMPARED: usize = 12_000_000;
 /// Pairs that were seen up to which crossings by themselves are tried as well.
 const FEW_PAIRS: usize = 8;
@@ -45,14 +45,26 @@ type SeenPair = (Vec<(CrossingPair, bool)>, [usize; 2]);
 #[derive(Default)]
 pub(super) struct Hypotheses {
     cells: BTreeMap<(i32, i32, i32), (f32, ViewPose)>,
+    /// Metres beside the places that are sought at which poses are looked at.
+    margin: f64,
     /// Number of poses that were looked at.
     pub tried: usize,
+    /// Number of poses of commoner pairs that were not.
+    pub left: usize,
 }
 
 impl Hypotheses {
     /// Every pose that lays what was seen on crossings of the map and most points near roads.
-    pub fn of(view: &PreparedView, index: &RoadIndex, settings: &LostSettings) -> Self {
-        let mut own = Self::default();
+    pub fn of(
+        view: &PreparedView,
+        index: &RoadIndex,
+        settings: &LostSettings,
+        margin: f64,
+    ) -> Self {
+        let mut own = Self {
+            margin,
+            ..Self::default()
+        };
         let seen = own.by_pairs(view, index, settings);
         if seen < FEW_PAIRS {
             for crossing in view.crossings.iter().take(ALONE) {
@@ -79,9 +91,10 @@ impl Hypotheses {
         let crossings = &view.crossings;
         let mut pairs: Vec<SeenPair> = Vec::new();
         let mut compared = 0;
+        let most_compared = (MOST_COMPARED as f64 * index.share) as usize;
         // Pairs of the surest crossings first.
         for (j, second) in crossings.iter().enumerate() {
-            if compared > MOST_COMPARED {
+            if compared > most_compared {
                 break;
             }
             for (i, first) in crossings.iter().enumerate().take(j) {
@@ -104,9 +117,7 @@ impl Hypotheses {
         pairs.sort_by_key(|(found, seen)| (found.len(), *seen));
         let count = pairs.len();
         for (found, [i, j]) in pairs {
-            if self.tried > MOST_TRIED {
-                break;
-            }
+            let is_left = self.tried > MOST_TRIED;
             let seen = [&crossings[i], &crossings[j]];
             for (pair, is_reversed) in found {
                 let known = if is_reversed {
@@ -116,7 +127,11 @@ impl Hypotheses {
                 };
                 let known = known.map(|k| index.junctions[k as usize].place);
                 let pose = pose_of_pair(seen, known, settings);
-                self.look(pose, None, view, index, settings);
+                if is_left {
+                    self.left += usize::from(self.is_sought(&pose, index, settings));
+                } else {
+                    self.look(pose, None, view, index, settings);
+                }
             }
         }
         count
@@ -160,6 +175,12 @@ impl Hypotheses {
         }
     }
 
+    /// Whether a pose is one that is asked for.
+    fn is_sought(&self, pose: &ViewPose, index: &RoadIndex, settings: &LostSettings) -> bool {
+        wrap_pi(pose.turn - settings.turn).abs() <= settings.within_turn
+            && index.is_sought(&pose.place, self.margin)
+    }
+
     /// Looks at a pose, and keeps it if most points lie near roads.
     fn look(
         &mut self,
@@ -169,7 +190,7 @@ impl Hypotheses {
         index: &RoadIndex,
         settings: &LostSettings,
     ) {
-        if wrap_pi(pose.turn - settings.turn).abs() > settings.within_turn {
+        if !self.is_sought(&pose, index, settings) {
             return;
         }
         self.tried += 1;

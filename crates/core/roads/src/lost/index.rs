@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use pilotage_base::frames::GroundRect;
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 use super::field::DirectionField;
 use super::junctions::{Junction, junctions};
@@ -14,11 +14,11 @@ use crate::map::RoadMap;
 use crate::weave::RoadJoining;
 
 /// Side of a cell of the field of distances, metres.
-const CELL: f64 = 5.0;
+pub(super) const CELL: f64 = 5.0;
 /// Ground around the outermost roads that belongs to the index, metres.
-const MARGIN: f64 = 40.0;
+pub(super) const MARGIN: f64 = 40.0;
 
-/// Most square kilometres within the bounds of the roads; their field of distances takes 1.6 GB.
+/// Most square kilometres within the bounds of the roads of one index; their field of distances takes 1.6 GB.
 const MOST_AREA: f64 = 5000.0;
 
 /// Reason why roads cannot be searched.
@@ -33,6 +33,24 @@ pub enum RoadIndexError {
         /// Way from the westernmost to the easternmost, kilometres.
         east: f64,
     },
+    /// The views and the ways between them reach too far for a map that is searched in parts.
+    TooFarAlong {
+        /// Distance that they reach from the last view, kilometres.
+        reach: f64,
+        /// The greatest one, kilometres.
+        most: f64,
+    },
+    /// The roads lie too far apart to be laid on one plane.
+    TooFarApart {
+        /// Way from the northernmost to the southernmost, kilometres.
+        north: f64,
+        /// Way from the westernmost to the easternmost, kilometres.
+        east: f64,
+        /// The greatest one, kilometres.
+        most: f64,
+    },
+    /// There is no road where places are sought.
+    NoRoadAround,
 }
 
 impl fmt::Display for RoadIndexError {
@@ -41,8 +59,21 @@ impl fmt::Display for RoadIndexError {
             Self::NoRoad => f.write_str("it has no road of that class; lower --least"),
             Self::TooWide { north, east } => write!(
                 f,
-                "its roads span {north:.0} km by {east:.0} km, and at most {MOST_AREA:.0} km² can be searched; give the part \
-                 that the views may show, without roads that lie elsewhere"
+                "its roads span {north:.0} km by {east:.0} km, and at most {MOST_AREA:.0} km² can be searched at once; search \
+                 it in parts"
+            ),
+            Self::TooFarAlong { reach, most } => write!(
+                f,
+                "the views and the ways between them reach {reach:.0} km from the last of them, and on a map of more than \
+                 100 km² at most {most:.0} km can be searched; leave out the first views"
+            ),
+            Self::TooFarApart { north, east, most } => write!(
+                f,
+                "its roads span {north:.0} km by {east:.0} km, and at most {most:.0} km lie on one plane; give --around, or the \
+                 part that the views may show"
+            ),
+            Self::NoRoadAround => f.write_str(
+                "it has no road around that place; give another --around, or a greater --within",
             ),
         }
     }
@@ -78,8 +109,12 @@ pub struct RoadIndex {
     pub(super) tiles: PieceTiles,
     pub(super) junctions: Vec<Junction>,
     pub(super) pairs: CrossingPairs,
-    /// Square kilometres within the bounds of the roads.
+    /// Square kilometres that are searched: those within the bounds of the roads, or all of the parts.
     pub(super) area: f64,
+    /// Places that are sought, the northern and eastern edge excluded; all where the map is searched as one.
+    pub(super) core: Option<GroundRect>,
+    /// Ground of the index over that on which places are sought.
+    pub(super) share: f64,
 }
 
 impl RoadIndex {
@@ -95,18 +130,43 @@ impl RoadIndex {
                 east: 1e-3 * roads.width(),
             });
         }
-        let bounds: GroundRect = roads.grown(MARGIN);
-        let tiles = PieceTiles::new(&map, &bounds);
-        let field = DirectionField::new(&bounds, CELL, tiles.pieces());
+        Ok(Self::over(map, &roads.grown(MARGIN), area))
+    }
+
+    /// The index of a part of a map: of all roads over `bounds`, among which places in `core` are sought, while `area` square
+    /// kilometres are searched in all parts.
+    pub(super) fn of_part(map: RoadMap, core: &GroundRect, bounds: &GroundRect, area: f64) -> Self {
+        let grown = bounds.width() * bounds.height();
+        Self {
+            core: Some(*core),
+            share: (grown / (core.width() * core.height()).max(1.0)).max(1.0),
+            ..Self::over(map, bounds, area)
+        }
+    }
+
+    fn over(map: RoadMap, bounds: &GroundRect, area: f64) -> Self {
+        let tiles = PieceTiles::new(&map, bounds);
+        let field = DirectionField::new(bounds, CELL, tiles.pieces());
         let junctions = junctions(&map, &tiles);
         let pairs = CrossingPairs::new(&junctions);
-        Ok(Self {
+        Self {
             map,
             field,
             tiles,
             junctions,
             pairs,
             area,
+            core: None,
+            share: 1.0,
+        }
+    }
+
+    /// Whether places `margin` metres beside those that are sought hold that one.
+    pub(super) fn is_sought(&self, place: &GroundPoint, margin: f64) -> bool {
+        self.core.is_none_or(|core| {
+            let core = core.grown(margin);
+            (core.south..core.north).contains(&place.north)
+                && (core.west..core.east).contains(&place.east)
         })
     }
 

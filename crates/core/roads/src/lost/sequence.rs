@@ -5,8 +5,9 @@ use pilotage_base::frames::{GroundPoint, wrap_pi};
 
 use super::evidence::RoadEvidence;
 use super::index::RoadIndex;
-use super::locate::{LostBelief, Weighed, distinct};
+use super::locate::{LostBelief, LostShare, Weighed, distinct};
 use super::prepared::PreparedView;
+use super::reach::{FITTED, RoadViewError, SLACK, way_at_most};
 use super::refine::{fix, misfit, settle};
 use super::settings::LostSettings;
 use super::view::{RoadView, ViewMotion, ViewPose};
@@ -14,10 +15,6 @@ use super::weights::{prior, told};
 
 /// Places of each view that may be those of all.
 const OF_EACH: usize = 24;
-/// Standard deviations of dead reckoning within which a view may be off.
-const SLACK: f64 = 3.0;
-/// Standard deviations of a fitted pose: place (m) and heading (rad).
-const FITTED: (f64, f64) = (4.0, 0.02);
 
 /// A view with its own places.
 struct Look<'v> {
@@ -70,8 +67,22 @@ impl RoadIndex {
         first: &RoadView,
         then: &[(ViewMotion, RoadView)],
         settings: &LostSettings,
-    ) -> LostBelief {
-        let mut tried = 0;
+    ) -> Result<LostBelief, RoadViewError> {
+        let share = self.places_along(first, then, settings)?;
+        Ok(LostBelief::of_parts(vec![share]))
+    }
+
+    /// The places of this part of a map that the last of several views may show, as [`RoadIndex::locate_along`] finds them,
+    /// to be weighed with those of the other parts.
+    pub fn places_along(
+        &self,
+        first: &RoadView,
+        then: &[(ViewMotion, RoadView)],
+        settings: &LostSettings,
+    ) -> Result<LostShare, RoadViewError> {
+        let (mut tried, mut left) = (0, 0);
+        // Views before the last lie beside what is sought as far as the ways lead.
+        let mut margin: f64 = then.iter().map(|(motion, _)| way_at_most(motion)).sum();
         let mut believed = *settings;
         let mut looks: Vec<Look<'_>> = Vec::new();
         for (number, view) in std::iter::once(first)
@@ -81,16 +92,19 @@ impl RoadIndex {
             if let Some((motion, _)) = number.checked_sub(1).map(|before| &then[before]) {
                 believed.turn += motion.turn;
                 believed.within_turn += SLACK * motion.turn_deviation;
+                margin -= way_at_most(motion);
             }
-            let prepared = PreparedView::new(view);
-            let (poses, count) = self.candidates(&prepared, &believed);
-            tried += count;
+            let prepared = PreparedView::new(view.checked()?);
+            let found = self.candidates(&prepared, &believed, margin.max(0.0));
+            tried += found.tried;
+            left += found.left;
             let mut look = Look {
                 view,
                 prepared,
                 places: Vec::new(),
             };
-            look.places = poses
+            look.places = found
+                .poses
                 .into_iter()
                 .map(|pose| look.weigh(pose, self))
                 .collect();
@@ -103,7 +117,12 @@ impl RoadIndex {
                 weighed.push(self.weigh_along(number, *own, &looks, then, settings));
             }
         }
-        LostBelief::of(distinct(weighed, usize::MAX), tried)
+        weighed.retain(|own| self.is_sought(&own.1.place, 0.0));
+        Ok(LostShare {
+            places: distinct(weighed, usize::MAX),
+            tried,
+            left,
+        })
     }
 
     /// The last view's pose where the view of that number has its pose as in `own`, and the logarithm of its odds by all

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector2;
 use pilotage_base::frames::{GroundPoint, inside, wrap_pi};
+use serde::{Deserialize, Serialize};
 
 use crate::course::{between, nearest_share, place_along};
 use crate::map::{RoadCrossing, RoadMap};
@@ -40,7 +41,7 @@ pub struct RoadView {
 }
 
 /// Pose of a view on the map: a point q of the view lies at place + scale · R(turn) q.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ViewPose {
     /// Point below the camera.
     pub place: GroundPoint,

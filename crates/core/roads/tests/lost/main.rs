@@ -7,6 +7,7 @@
 )]
 
 mod drawn;
+mod parts;
 mod taught;
 mod town;
 
@@ -53,14 +54,14 @@ fn views_of_a_town_are_found_in_it_and_in_no_other() {
         let mut truth = draw.pose(&own.map.bounds().unwrap(), 380.0);
         truth.scale = 1.0 + 0.02 * draw.gauss();
         let view = drawn_view(&own, &truth, &USUAL, &mut draw);
-        let belief = here.locate(&view, &settings);
+        let belief = here.locate(&view, &settings).unwrap();
         if let Some(place) = belief.place(0.99) {
             let is_right = is_right(&place.pose, &truth);
             right += u32::from(is_right);
             wrong += u32::from(!is_right);
         }
         assert_eq!(
-            elsewhere.locate(&view, &settings).place(0.99),
+            elsewhere.locate(&view, &settings).unwrap().place(0.99),
             None,
             "{seed}"
         );
@@ -83,9 +84,10 @@ fn a_heading_outside_the_stated_range_is_not_found() {
         within_turn: 0.3,
         ..LostSettings::default()
     };
-    let found = index.locate(&view, &within(1.9));
+    let found = index.locate(&view, &within(1.9)).unwrap();
     assert!(is_right(&found.place(0.99).unwrap().pose, &truth));
-    assert_eq!(index.locate(&view, &within(0.0)).place(0.5), None);
+    let other = index.locate(&view, &within(0.0)).unwrap();
+    assert_eq!(other.place(0.5), None);
 }
 
 #[test]
@@ -100,14 +102,15 @@ fn a_scale_that_is_exact_is_as_good_as_one_that_is_known_well() {
             scale,
             ..LostSettings::default()
         };
-        index.locate(&view, &settings).place(0.99).unwrap().pose
+        let belief = index.locate(&view, &settings).unwrap();
+        belief.place(0.99).unwrap().pose
     });
     assert!(is_right(&exact, &truth) && exact.place.distance(&well.place) < 1.0);
     assert!((exact.scale - 1.0).abs() < 1e-6, "{}", exact.scale);
 }
 
 #[test]
-fn towns_that_lie_far_apart_are_refused_before_they_fill_the_memory() {
+fn towns_that_lie_far_apart_make_no_one_index_before_they_fill_the_memory() {
     let mut lines = town(1, 4).lines().to_vec();
     let there = lines.iter().map(|line| RoadLine {
         course: (line.course.iter())
@@ -142,7 +145,7 @@ fn a_straight_road_and_no_road_tell_no_place() {
         RoadJoining::SHARED_POINTS,
     );
     for view in [RoadView::of_map(&road).unwrap(), RoadView::default()] {
-        let belief = index.locate(&view, &LostSettings::default());
+        let belief = index.locate(&view, &LostSettings::default()).unwrap();
         assert_eq!(belief.places, []);
         assert_eq!(belief.elsewhere, 1.0);
     }
@@ -175,7 +178,7 @@ fn a_town_that_repeats_itself_is_not_believed_once() {
         scale: 1.0,
     };
     let view = drawn_view(&source, &truth, &USUAL, &mut draw);
-    let belief = index.unwrap().locate(&view, &LostSettings::default());
+    let belief = (index.unwrap().locate(&view, &LostSettings::default())).unwrap();
     let likely = belief
         .places
         .iter()
@@ -222,8 +225,10 @@ fn views_on_one_way_are_surer_than_each_of_them() {
             let right = places.iter().filter(|p| is_right(&p.pose, &truth));
             right.map(|p| p.probability).sum()
         };
-        alone += of_right(&index.locate(&then[1].1, &settings).places) / 6.0;
-        along += of_right(&index.locate_along(&first, &then, &settings).places) / 6.0;
+        let last = index.locate(&then[1].1, &settings).unwrap();
+        alone += of_right(&last.places) / 6.0;
+        let all = index.locate_along(&first, &then, &settings).unwrap();
+        along += of_right(&all.places) / 6.0;
     }
     assert!(
         along > 0.95 && 1.0 - along < 0.3 * (1.0 - alone),

@@ -61,7 +61,7 @@ fn views_of_any_quality_are_tabled() {
                 let mut truth = draw.pose(&source.map.bounds().unwrap(), 450.0);
                 truth.scale = 1.0 + 0.02 * draw.gauss();
                 let view = drawn_view(source, &truth, &errors, &mut draw);
-                let belief = index.locate(&view, &settings);
+                let belief = index.locate(&view, &settings).unwrap();
                 let right = belief
                     .places
                     .iter()

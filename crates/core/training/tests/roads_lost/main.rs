@@ -103,7 +103,7 @@ fn drawn_pictures_of_real_maps_are_found_again() {
                 let (truth, _) = truth(other, seed + 5000);
                 let view = seen(&other.map, &truth, 7 * seed + 11);
                 let start = processor_time();
-                let belief = index.locate(&view, &settings);
+                let belief = index.locate(&view, &settings).unwrap();
                 let seconds = processor_time() - start;
                 let same =
                     |p: &pilotage_roads::lost::LostPlace| is_own && is_right(&p.pose, &truth);
@@ -153,9 +153,9 @@ fn three_views_on_one_way_are_surer_than_one() {
                 then.push((told, seen(&site.map, &truth, 7 * seed + 3 + step)));
             }
             let start = processor_time();
-            let alone = index.locate(&then[1].1, &settings);
+            let alone = index.locate(&then[1].1, &settings).unwrap();
             let one = processor_time() - start;
-            let belief = index.locate_along(&first, &then, &settings);
+            let belief = index.locate_along(&first, &then, &settings).unwrap();
             let three = processor_time() - start - one;
             let right =
                 |belief: &LostBelief| belief.places.iter().position(|p| is_right(&p.pose, &truth));
