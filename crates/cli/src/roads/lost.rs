@@ -8,7 +8,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::photo::{Photo, photo_pose, read_photo, told_focal};
 use pilotage_core::frames::{Attitude, GroundPoint, GroundRect, LocalFrame, Pose};
 use pilotage_core::imagery::MemoryBytes;
-use pilotage_core::road::{NorthUpPicture, RoadDetection, SEEN_GSD};
+use pilotage_core::road::{COARSEST_SEEN, NorthUpPicture, RoadDetection, SEEN_GSD};
 use pilotage_core::roads::RoadMap;
 use pilotage_core::roads::lost::{
     LostBelief, LostSettings, LostShare, PartSettings, RoadParts, RoadView, ViewCrossing,
@@ -32,6 +32,8 @@ const WITHIN: f64 = 2.0;
 const LEAST_PROBABILITY: f64 = 0.5;
 /// Ground that is looked at, as far as so many heights from below the camera.
 const FARTHEST_HEIGHTS: f64 = 2.0;
+/// Most ground that a photo may show, square metres: 30 million pixels of what the network sees.
+const MOST_GROUND: f64 = 7.5e6;
 /// Standard deviation of dead reckoning: a share of the way (and radians of a turn).
 const RECKONED: f64 = 0.03;
 
@@ -263,6 +265,7 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
     };
     let farthest = FARTHEST_HEIGHTS * height;
     let outline = camera.footprint_within(&pose, 0.0, farthest);
+    bounded(&outline, height / focal).map_err(|why| format!("{name}: {why}"))?;
     let ground = NorthUpPicture::of(&camera, &pose, 0.0, &picture, SEEN_GSD, farthest);
     let Some(NorthUpPicture { window, pixels }) = ground else {
         return Ok(RoadView::default());
@@ -292,4 +295,42 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
     };
     seen.checked().map_err(|why| format!("{name}: {why}"))?;
     Ok(seen)
+}
+
+/// Refuses a photo whose pixels show no roads, `pixel` metres each below the camera, or which shows too much ground.
+fn bounded(outline: &[GroundPoint], pixel: f64) -> Result<(), String> {
+    let is_seen = pixel <= COARSEST_SEEN;
+    if !is_seen {
+        return Err(format!(
+            "at this height a pixel of the photo shows {pixel:.1} m, and roads are seen up to {COARSEST_SEEN} m; give its \
+             --height and --focal, or a photo from lower down"
+        ));
+    }
+    let ground = GroundRect::around(outline.iter().copied());
+    let area = ground.map_or(0.0, |ground| ground.width() * ground.height());
+    if area > MOST_GROUND {
+        return Err(format!(
+            "at this height the photo shows ground of {:.0} km², and at most {:.1} km² are searched for roads; give its \
+             --height, --focal and --ahead, or a part of it",
+            1e-6 * area,
+            1e-6 * MOST_GROUND
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn photos_of_too_much_ground_are_refused_in_words() {
+        let square = |side: f64| GroundRect::centered(GroundPoint::default(), side, side).corners();
+        assert_eq!(bounded(&square(2000.0), 0.5), Ok(()));
+        let why = bounded(&square(2000.0), 2.7).unwrap_err();
+        assert!(why.contains("a pixel of the photo shows 2.7 m"), "{why}");
+        assert!(bounded(&square(2000.0), f64::INFINITY).is_err());
+        let why = bounded(&square(4000.0), 0.5).unwrap_err();
+        assert!(why.contains("ground of 16 km²"), "{why}");
+    }
 }

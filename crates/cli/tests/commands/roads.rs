@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::package::{MissionPackage, read_package, write_package};
 use pilotage_core::mission::{Mission, read_mission, write_mission};
+use pilotage_core::raster::{Picture, encode_png};
 
 use super::folder::Folder;
 
@@ -182,4 +183,12 @@ fn a_road_far_off_is_one_more_square_of_a_map_and_refused_of_a_view() {
     // A view that cannot be read is told before the map is looked for.
     let first = said(&["nowhere.osm", "nothing.geojson"]).unwrap_err();
     assert!(first.contains("nothing.geojson"), "{first}");
+    let picture = Picture::from_fn(64, 48, |column, row| [column as u8, row as u8, 0]);
+    folder.write("photo.png", encode_png(&picture).unwrap());
+    let high = ["town.geojson", "photo.png", "--height=30000", "--focal=50"];
+    let refused = said(&high).unwrap_err();
+    assert!(
+        refused.contains("a pixel of the photo shows 600.0 m"),
+        "{refused}"
+    );
 }

@@ -15,7 +15,9 @@ pub mod yellow;
 
 pub use detection::RoadDetection;
 pub use north_up::NorthUpPicture;
-pub use probability::{RoadProbability, SEEN_GSD, probability_by, road_probability, roads_seen};
+pub use probability::{
+    COARSEST_SEEN, RoadProbability, SEEN_GSD, probability_by, road_probability, roads_seen,
+};
 pub use ridge::road_mask;
 pub use seen::{RoadPoint, RoadsSeen, SeenCrossing};
 pub use trace::trace;

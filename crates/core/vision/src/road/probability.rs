@@ -10,6 +10,10 @@ use super::seen::RoadsSeen;
 /// Ground sample distance at which the network sees, metres per pixel.
 pub const SEEN_GSD: f64 = 0.5;
 
+/// Coarsest pixel of a picture in which roads are looked for, metres: a road of 6 m is five of them wide, and with half as
+/// many it is a line like any other.
+pub const COARSEST_SEEN: f64 = 1.2;
+
 /// Probability from which a pixel is a road for sure, and from which it is where it is connected with such; the best of
 /// ten pairs on drawn ground that was not learned from (`train_roads -- judge`).
 const SURE: f32 = 0.6;
