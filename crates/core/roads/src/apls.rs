@@ -4,19 +4,20 @@
 //! counts is by which share the shortest ways between them differ. A point that has no edge near, and a way that is
 //! interrupted, count as wholly different. The total is the harmonic mean of both directions.
 
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
-use petgraph::algo::dijkstra;
-use petgraph::graph::{NodeIndex, UnGraph};
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
-use crate::course::{course_length, place_along, place_near};
+use crate::course::{CoursePlace, course_length, place_along, place_near};
 use crate::map::RoadMap;
 
 /// Distance up to which a place at the end of an edge is the node there, per axis, metres.
 const COINCIDENT: f64 = 0.05;
 /// Distance up to which points are put on the edge on which they stand, metres.
 const OWN_REACH: f64 = 5.0;
+/// Distance that is less than the rounding of any other, metres.
+const ROUNDING: f64 = 1e-3;
 /// Shortest way that is compared, metres.
 const SHORTEST: f64 = 1e-3;
 
@@ -97,11 +98,11 @@ pub fn apls(truth: &AplsGraph, proposal: &AplsGraph, settings: &AplsSettings) ->
         proposal.with_control_points(settings.spacing),
     );
     let onto = |control: &AplsGraph, other: &AplsGraph| {
-        let mut other = other.clone();
+        let mut other = CutGraph::of(other.clone());
         for (name, place) in &control.nodes {
             other.insert(*name, *place, settings.snap, true);
         }
-        similarity(&control.ways(), &other.ways())
+        similarity(Ways::of(control), Ways::of(&other.graph))
     };
     let forth = onto(&own_truth, proposal);
     let back = onto(&own_proposal, truth);
@@ -119,20 +120,94 @@ pub fn apls(truth: &AplsGraph, proposal: &AplsGraph, settings: &AplsSettings) ->
     }
 }
 
-/// Lengths of the shortest ways from every node to every node that it reaches, by their names.
-type Ways = BTreeMap<u64, BTreeMap<u64, f64>>;
+/// Shortest ways of a graph, from one node at a time: those of all nodes at once would take memory by the square of the
+/// graph.
+struct Ways {
+    /// Names in ascending order, by whose places nodes are told.
+    names: Vec<u64>,
+    /// Edges of every node: node at the other end, length.
+    edges: Vec<Vec<(usize, f64)>>,
+    /// Lengths of the ways from the last node, without end to those that it does not reach.
+    lengths: Vec<f64>,
+    /// Nodes that it reaches.
+    reached: Vec<usize>,
+}
+
+impl Ways {
+    fn of(graph: &AplsGraph) -> Self {
+        let mut order: Vec<usize> = (0..graph.nodes.len()).collect();
+        order.sort_by_key(|node| graph.nodes[*node].0);
+        let mut places = vec![0; order.len()];
+        for (place, node) in order.iter().enumerate() {
+            places[*node] = place;
+        }
+        let mut edges = vec![Vec::new(); order.len()];
+        for edge in &graph.edges {
+            let [from, to] = edge.ends.map(|node| places[node]);
+            edges[from].push((to, edge.length));
+            edges[to].push((from, edge.length));
+        }
+        Self {
+            names: order.iter().map(|node| graph.nodes[*node].0).collect(),
+            lengths: vec![f64::INFINITY; order.len()],
+            reached: Vec::new(),
+            edges,
+        }
+    }
+
+    /// Node of that name.
+    fn named(&self, name: u64) -> Option<usize> {
+        self.names.binary_search(&name).ok()
+    }
+
+    /// Finds the lengths of the shortest ways from a node.
+    fn start(&mut self, start: usize) {
+        for node in self.reached.drain(..) {
+            self.lengths[node] = f64::INFINITY;
+        }
+        self.lengths[start] = 0.0;
+        self.reached.push(start);
+        // Lengths are not negative, and such numbers are in the order of their bits.
+        let mut open = BinaryHeap::from([Reverse((0, start))]);
+        while let Some(Reverse((bits, node))) = open.pop() {
+            let length = f64::from_bits(bits);
+            if length > self.lengths[node] {
+                continue;
+            }
+            for (next, more) in &self.edges[node] {
+                let (there, known) = (length + more, &mut self.lengths[*next]);
+                if there < *known {
+                    if known.is_infinite() {
+                        self.reached.push(*next);
+                    }
+                    *known = there;
+                    open.push(Reverse((there.to_bits(), *next)));
+                }
+            }
+        }
+        self.reached.sort_unstable();
+    }
+}
 
 /// Mean similarity of the ways.
-fn similarity(ways: &Ways, others: &Ways) -> f64 {
-    let (mut differences, mut count) = (0.0, 0);
-    for (from, reached) in ways {
-        let there = others.get(from);
-        for (to, length) in reached {
-            if to == from || there.is_some() && *length < SHORTEST {
+fn similarity(mut ways: Ways, mut others: Ways) -> f64 {
+    let (mut differences, mut count) = (0.0, 0_u64);
+    let there: Vec<Option<usize>> = (ways.names.iter())
+        .map(|name| others.named(*name))
+        .collect();
+    for from in 0..there.len() {
+        ways.start(from);
+        if let Some(from) = there[from] {
+            others.start(from);
+        }
+        for to in &ways.reached {
+            let length = ways.lengths[*to];
+            if *to == from || there[from].is_some() && length < SHORTEST {
                 continue;
             }
             count += 1;
-            differences += match there.and_then(|there| there.get(to)) {
+            let other = there[from].and(there[*to]).map(|to| others.lengths[to]);
+            differences += match other.filter(|other| other.is_finite()) {
                 Some(other) => ((length - other).abs() / length).min(1.0),
                 None => 1.0,
             };
@@ -141,7 +216,7 @@ fn similarity(ways: &Ways, others: &Ways) -> f64 {
     if count == 0 {
         return 0.0;
     }
-    1.0 - differences / f64::from(count)
+    1.0 - differences / count as f64
 }
 
 impl AplsGraph {
@@ -166,7 +241,7 @@ impl AplsGraph {
 
     /// The graph with points along its edges as nodes.
     fn with_control_points(&self, spacing: f64) -> Self {
-        let mut graph = self.clone();
+        let mut cut = CutGraph::of(self.clone());
         let mut next = self.nodes.iter().map(|(name, _)| *name).max().unwrap_or(0) + 1;
         for edge in &self.edges {
             if edge.length < 0.75 * spacing {
@@ -186,33 +261,68 @@ impl AplsGraph {
             for piece in 1..pieces {
                 let along = whole * piece as f64 / pieces as f64;
                 if let Some(place) = place_along(&edge.course, along) {
-                    graph.insert(next, place.point, OWN_REACH, false);
+                    cut.insert(next, place.point, OWN_REACH, false);
                     next += 1;
                 }
             }
         }
-        graph
+        cut.graph
+    }
+}
+
+/// Graph whose edges are cut, with the rectangle around each of them: most edges are far from most points.
+struct CutGraph {
+    graph: AplsGraph,
+    around: Vec<Option<GroundRect>>,
+}
+
+fn around(edge: &AplsEdge) -> Option<GroundRect> {
+    GroundRect::around(edge.course.iter().copied())
+}
+
+impl CutGraph {
+    fn of(graph: AplsGraph) -> Self {
+        Self {
+            around: graph.edges.iter().map(around).collect(),
+            graph,
+        }
+    }
+
+    fn push(&mut self, edge: AplsEdge) {
+        self.around.push(around(&edge));
+        self.graph.edges.push(edge);
     }
 
     /// Puts a node on the nearest edge within `reach` metres, unless one has that name. A node that stands there is
     /// renamed if `renames`, else joined by an edge without length.
     fn insert(&mut self, name: u64, point: GroundPoint, reach: f64, renames: bool) {
-        let near = |(index, edge): (usize, &AplsEdge)| {
-            let place = place_near(&edge.course, point)?;
-            Some((index, place, place.point.distance(&point)))
-        };
-        let found = self.edges.iter().enumerate().filter_map(near);
-        let Some((index, place, distance)) = found.min_by(|a, b| a.2.total_cmp(&b.2)) else {
+        let mut nearest: Option<(usize, CoursePlace, f64)> = None;
+        let edges = self.graph.edges.iter().zip(&self.around).enumerate();
+        for (index, (edge, around)) in edges {
+            let is_far = around.is_none_or(|rect| !rect.grown(reach + ROUNDING).contains(&point));
+            let place = if is_far {
+                None
+            } else {
+                place_near(&edge.course, point)
+            };
+            let Some(place) = place else { continue };
+            let distance = place.point.distance(&point);
+            if nearest.is_none_or(|(.., least)| distance < least) {
+                nearest = Some((index, place, distance));
+            }
+        }
+        let Some((index, place, distance)) = nearest else {
             return;
         };
-        if distance > reach || self.nodes.iter().any(|(other, _)| *other == name) {
+        let is_known = |node: &(u64, GroundPoint)| node.0 == name;
+        if distance > reach || self.graph.nodes.iter().any(is_known) {
             return;
         }
-        let edge = &self.edges[index];
+        let edge = &self.graph.edges[index];
         let whole = course_length(&edge.course);
         if place.along <= 0.0 || place.along >= whole {
             let stands = |node: &usize| {
-                let at = self.nodes[*node].1;
+                let at = self.graph.nodes[*node].1;
                 (at.north - place.point.north).abs() <= COINCIDENT
                     && (at.east - place.point.east).abs() <= COINCIDENT
             };
@@ -220,21 +330,22 @@ impl AplsGraph {
                 return;
             };
             if renames {
-                self.nodes[node].0 = name;
+                self.graph.nodes[node].0 = name;
                 return;
             }
-            let own = self.nodes.len();
-            self.nodes.push((name, place.point));
-            self.edges.push(AplsEdge {
+            let own = self.graph.nodes.len();
+            self.graph.nodes.push((name, place.point));
+            self.push(AplsEdge {
                 ends: [own, node],
                 length: 0.0,
-                course: vec![place.point, self.nodes[node].1],
+                course: vec![place.point, self.graph.nodes[node].1],
             });
             return;
         }
-        let own = self.nodes.len();
-        self.nodes.push((name, place.point));
-        let edge = self.edges.remove(index);
+        let own = self.graph.nodes.len();
+        self.graph.nodes.push((name, place.point));
+        self.around.remove(index);
+        let edge = self.graph.edges.remove(index);
         let (mut first, mut second) = (Vec::new(), vec![place.point]);
         let mut along = 0.0;
         for (i, p) in edge.course.iter().enumerate() {
@@ -249,28 +360,111 @@ impl AplsGraph {
         }
         first.push(place.point);
         for (ends, course) in [([edge.ends[0], own], first), ([own, edge.ends[1]], second)] {
-            self.edges.push(AplsEdge {
+            self.push(AplsEdge {
                 ends,
                 length: course_length(&course),
                 course,
             });
         }
     }
+}
 
-    fn ways(&self) -> Ways {
-        let mut graph: UnGraph<(), f64> = UnGraph::default();
-        let nodes: Vec<NodeIndex> = self.nodes.iter().map(|_| graph.add_node(())).collect();
-        for edge in &self.edges {
-            graph.add_edge(nodes[edge.ends[0]], nodes[edge.ends[1]], edge.length);
-        }
-        let name = |node: NodeIndex| self.nodes[node.index()].0;
-        let from = |start: &NodeIndex| {
-            let reached = dijkstra(&graph, *start, None, |edge| *edge.weight());
-            let lengths = reached
-                .into_iter()
-                .map(|(node, length)| (name(node), length));
-            (name(*start), lengths.collect())
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+
+    /// A square of `side` by `side` crooked streets, without some of them, named from `first` on.
+    fn town(side: i32, first: u64) -> AplsGraph {
+        let off = |row: i32, column: i32, k: i32| {
+            let value = f64::from(row * 37 + column * 101 + k * 53).sin() * 43_758.5;
+            value - value.floor()
         };
-        nodes.iter().map(from).collect()
+        let corner = |row: i32, column: i32| {
+            let (north, east) = (off(row, column, 1), off(row, column, 2));
+            GroundPoint::new(
+                90.0 * (f64::from(row) + 0.4 * north),
+                90.0 * (f64::from(column) + 0.4 * east),
+            )
+        };
+        let mut graph = AplsGraph::default();
+        let node = |row: i32, column: i32| (row * side + column) as usize;
+        for row in 0..side {
+            for column in 0..side {
+                let name = first + node(row, column) as u64;
+                graph.nodes.push((name, corner(row, column)));
+            }
+        }
+        for row in 0..side - 1 {
+            for column in 0..side - 1 {
+                for (other, axis) in [((row + 1, column), 3), ((row, column + 1), 4)] {
+                    if off(row, column, axis) + first as f64 * 1e-9 < 0.85 {
+                        let course = vec![corner(row, column), corner(other.0, other.1)];
+                        graph.edges.push(AplsEdge {
+                            ends: [node(row, column), node(other.0, other.1)],
+                            length: course_length(&course),
+                            course,
+                        });
+                    }
+                }
+            }
+        }
+        graph
+    }
+
+    /// As the whole table of all ways tells it.
+    fn by_all_ways(control: &AplsGraph, other: &AplsGraph) -> f64 {
+        use petgraph::algo::dijkstra;
+        use petgraph::graph::{NodeIndex, UnGraph};
+        let table = |graph: &AplsGraph| -> BTreeMap<u64, BTreeMap<u64, f64>> {
+            let mut net: UnGraph<(), f64> = UnGraph::default();
+            let nodes: Vec<NodeIndex> = graph.nodes.iter().map(|_| net.add_node(())).collect();
+            for edge in &graph.edges {
+                net.add_edge(nodes[edge.ends[0]], nodes[edge.ends[1]], edge.length);
+            }
+            let name = |node: NodeIndex| graph.nodes[node.index()].0;
+            let from = |start: &NodeIndex| {
+                let reached = dijkstra(&net, *start, None, |edge| *edge.weight());
+                (
+                    name(*start),
+                    reached.into_iter().map(|(n, l)| (name(n), l)).collect(),
+                )
+            };
+            nodes.iter().map(from).collect()
+        };
+        let (ways, others) = (table(control), table(other));
+        let (mut differences, mut count) = (0.0, 0);
+        for (from, reached) in &ways {
+            let there = others.get(from);
+            for (to, length) in reached {
+                if to == from || there.is_some() && *length < SHORTEST {
+                    continue;
+                }
+                count += 1;
+                differences += match there.and_then(|there| there.get(to)) {
+                    Some(other) => ((length - other).abs() / length).min(1.0),
+                    None => 1.0,
+                };
+            }
+        }
+        1.0 - differences / f64::from(count)
+    }
+
+    #[test]
+    fn ways_from_one_node_at_a_time_tell_what_all_at_once_told_to_the_bit() {
+        let (truth, proposal) = (town(11, 0), town(11, 90_000_000));
+        let control = truth.with_control_points(50.0);
+        assert!(control.nodes.len() > truth.nodes.len() + 50);
+        let mut cut = CutGraph::of(proposal.clone());
+        for (name, place) in &control.nodes {
+            cut.insert(*name, *place, 4.0, true);
+        }
+        let score = apls(&truth, &proposal, &AplsSettings::default());
+        assert!(
+            (0.2..0.999).contains(&score.truth_onto_proposal),
+            "{score:?}"
+        );
+        assert_eq!(score.truth_onto_proposal, by_all_ways(&control, &cut.graph));
     }
 }
