@@ -57,6 +57,16 @@ fn whole(source: &dyn ByteSource) -> Result<Vec<u8>, String> {
     source.read(0, length as usize)
 }
 
+/// All bytes of a file of a set; the error says in words why not.
+pub fn read_or_say(files: &dyn FileSet, name: &str) -> Result<Vec<u8>, String> {
+    if let Some(bytes) = files.read(name) {
+        return Ok(bytes);
+    }
+    let source = files.source(name);
+    let source = source.ok_or_else(|| "it cannot be read; open it again".to_owned())?;
+    whole(source.as_ref())
+}
+
 /// Whether bytes have these words somewhere.
 pub fn contains(bytes: &[u8], words: &[u8]) -> bool {
     bytes.windows(words.len()).any(|w| w == words)

@@ -10,7 +10,7 @@ use pilotage_core::mission::places_in_degrees;
 
 use super::ImportedFile;
 use super::far_away::{FARTHEST, too_far};
-use super::file_pool::contains;
+use super::file_pool::{contains, read_or_say};
 use super::road_files::{OF_OSM, is_of_roads, roads_of};
 use super::tables::columns_file;
 
@@ -79,7 +79,12 @@ pub fn imports(
         if !plausible || is_of_flight {
             continue;
         }
-        let bytes = pool.read(&name).unwrap_or_default();
+        let bytes = if has_ending(&name, &OF_OSM) {
+            let part = "give the part of it that is flown over, as \"osmium extract\" cuts it out";
+            read_or_say(pool, &name).map_err(|why| format!("{name}: {why}; {part}"))?
+        } else {
+            pool.read(&name).unwrap_or_default()
+        };
         if is_mission(&name, &bytes) {
             continue;
         }
@@ -165,9 +170,10 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::LentFiles;
     use super::super::file_pool::FilePool;
+    use super::super::{FileContent, LentFiles};
     use super::*;
+    use pilotage_core::imagery::ByteSource;
 
     const WAY_POINTS: &str = "QGC WPL 110\n\
         0\t1\t0\t16\t0\t0\t0\t0\t47.0\t8.0\t400\t1\n\
@@ -225,6 +231,40 @@ mod tests {
         assert!(
             cause.starts_with("trip.waypoints: ") && cause.contains("map of that place"),
             "{cause}"
+        );
+    }
+
+    /// File that claims to have two gigabytes.
+    struct Huge;
+
+    impl ByteSource for Huge {
+        fn name(&self) -> &str {
+            "country.osm.pbf"
+        }
+
+        fn length(&self) -> u64 {
+            2 << 30
+        }
+
+        fn read(&self, _: u64, _: usize) -> Result<Vec<u8>, String> {
+            Err("nobody should read it".to_owned())
+        }
+    }
+
+    #[test]
+    fn roads_that_are_too_many_are_refused_by_their_size() {
+        let mut lent = LentFiles::default();
+        lent.files.insert(0, std::sync::Arc::new(Huge));
+        let content = FileContent::Lent {
+            number: 0,
+            length: 2 << 30,
+        };
+        let pool = FilePool::new(&[("country.osm.pbf".to_owned(), content)], &lent).unwrap();
+        let origin = Geodetic::from_degrees(47.0, 8.0, 0.0);
+        let why = imports(&pool, origin, false, false, &[]).unwrap_err();
+        assert!(
+            why.starts_with("country.osm.pbf: 2.0 GiB are too many"),
+            "{why}"
         );
     }
 

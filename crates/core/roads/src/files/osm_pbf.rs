@@ -6,7 +6,7 @@ use flate2::read::ZlibDecoder;
 
 use super::error::RoadFileError;
 use super::globe_road::RoadsRead;
-use super::open_street_map::{OsmData, OsmWay};
+use super::open_street_map::{OsmData, OsmPass, OsmWay};
 use super::protobuf::{ProtobufMessage, deltas, packed};
 use pilotage_base::varint::unzigzag;
 
@@ -20,7 +20,10 @@ pub fn is_pbf(bytes: &[u8]) -> bool {
 
 /// Reads the roads of a file.
 pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
-    let mut data = OsmData::default();
+    OsmData::read(|pass, data| go_through(bytes, pass, data))
+}
+
+fn go_through(bytes: &[u8], pass: OsmPass, data: &mut OsmData) -> Result<(), RoadFileError> {
     let mut place = 0;
     let take = |place: &mut usize, count: usize| {
         let end = place.checked_add(count).filter(|end| *end <= bytes.len());
@@ -45,11 +48,11 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
         let block = unpacked(take(&mut place, size)?, begin)?;
         match kind {
             b"OSMHeader" => check_header(&block)?,
-            b"OSMData" => read_block(&block, &mut data)?,
+            b"OSMData" => read_block(&block, pass, data)?,
             _ => {}
         }
     }
-    Ok(data.roads())
+    Ok(())
 }
 
 /// Content of a blob that begins at `place` of the file.
@@ -108,7 +111,7 @@ impl Grid {
     }
 }
 
-fn read_block(block: &[u8], data: &mut OsmData) -> Result<(), RoadFileError> {
+fn read_block(block: &[u8], pass: OsmPass, data: &mut OsmData) -> Result<(), RoadFileError> {
     let mut grid = Grid {
         step: 100,
         latitude: 0,
@@ -134,10 +137,13 @@ fn read_block(block: &[u8], data: &mut OsmData) -> Result<(), RoadFileError> {
     for group in groups {
         let mut message = ProtobufMessage::new(group);
         while let Some((field, value)) = message.next()? {
-            match field {
-                1 => data.nodes.push(node(value.bytes(), &grid)?),
-                2 => dense_nodes(value.bytes(), &grid, data)?,
-                3 => data.ways.push(way(value.bytes(), &texts)?),
+            match (field, pass) {
+                (1, OsmPass::Nodes) => {
+                    let (number, longitude, latitude) = node(value.bytes(), &grid)?;
+                    data.add_node(number, longitude, latitude);
+                }
+                (2, OsmPass::Nodes) => dense_nodes(value.bytes(), &grid, data)?,
+                (3, OsmPass::Ways) => data.add_way(way(value.bytes(), &texts)?),
                 _ => {}
             }
         }
@@ -173,9 +179,10 @@ fn dense_nodes(bytes: &[u8], grid: &Grid, data: &mut OsmData) -> Result<(), Road
     }
     let places = latitudes.into_iter().zip(longitudes);
     let nodes = numbers.into_iter().zip(places);
-    data.nodes.extend(
-        nodes.map(|(number, (latitude, longitude))| grid.node(number, latitude, longitude)),
-    );
+    for (number, (latitude, longitude)) in nodes {
+        let (number, longitude, latitude) = grid.node(number, latitude, longitude);
+        data.add_node(number, longitude, latitude);
+    }
     Ok(())
 }
 

@@ -6,14 +6,18 @@ use quick_xml::events::{BytesStart, Event};
 
 use super::error::RoadFileError;
 use super::globe_road::RoadsRead;
-use super::open_street_map::{OsmData, OsmWay};
+use super::open_street_map::{OsmData, OsmPass, OsmWay};
 
 /// Reads the roads of a file.
 pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
     let text = std::str::from_utf8(bytes)
         .map_err(|error| RoadFileError::broken(error.valid_up_to(), "no text"))?;
+    OsmData::read(|pass, data| go_through(text, pass, data))
+}
+
+fn go_through(text: &str, pass: OsmPass, data: &mut OsmData) -> Result<(), RoadFileError> {
     let mut reader = Reader::from_str(text);
-    let (mut data, mut is_osm) = (OsmData::default(), false);
+    let mut is_osm = false;
     let mut way: Option<OsmWay> = None;
     loop {
         let event = reader.read_event();
@@ -22,17 +26,19 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
             Event::Eof => break,
             Event::Start(element) | Event::Empty(element) => match element.name().as_ref() {
                 "osm" => is_osm = true,
-                "node" => {
+                "node" if pass == OsmPass::Nodes => {
                     let number = number(&element, "id");
                     let (lon, lat) = (degrees(&element, "lon"), degrees(&element, "lat"));
                     // A node that was deleted has no place, or still that which it had.
                     if let (Some(number), Some(lon), Some(lat)) = (number, lon, lat)
                         && !is_deleted(&element)
                     {
-                        data.nodes.push((number, lon, lat));
+                        data.add_node(number, lon, lat);
                     }
                 }
-                "way" => way = (!is_deleted(&element)).then(OsmWay::default),
+                "way" if pass == OsmPass::Ways => {
+                    way = (!is_deleted(&element)).then(OsmWay::default)
+                }
                 "nd" => {
                     if let (Some(way), Some(node)) = (&mut way, number(&element, "ref")) {
                         way.nodes.push(node);
@@ -47,7 +53,9 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
                 _ => {}
             },
             Event::End(element) if element.name().as_ref() == "way" => {
-                data.ways.extend(way.take());
+                if let Some(way) = way.take() {
+                    data.add_way(way);
+                }
             }
             _ => {}
         }
@@ -55,7 +63,7 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
     if !is_osm {
         return Err(RoadFileError::Unknown);
     }
-    Ok(data.roads())
+    Ok(())
 }
 
 /// Whether an element is no longer there: marked as deleted by the editor JOSM, which keeps it until it is uploaded, or by
