@@ -25,7 +25,7 @@ pub struct Arguments {
     /// Write where it flew instead, as this told it.
     #[arg(long, value_enum, conflicts_with = "topic")]
     track: Option<TrackKind>,
-    /// Values beside the places of the track, and its colour in KML: `ATT.Roll`.
+    /// Values beside the places of the track, and its colour in KML: `ATT.Roll`, or what is computed of such: `2 * ATT.Roll`.
     #[arg(long, value_name = "TOPIC.FIELD", requires = "track")]
     channel: Option<String>,
     /// Take the flight of another vehicle of a telemetry log, by the number of its system.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use pilotage_core::exchange::{FlownPoint, FlownTrack, FlownValues, Format, write_flown};
+use pilotage_core::flight::expression::TimedSamples;
 use pilotage_core::flight::interpret::{
     Navigation, Role, estimated_places, flight_from_log, places,
 };
@@ -10,6 +11,7 @@ use pilotage_core::flight::log::{Log, Topic};
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::navigator::Run;
+use pilotage_jobs::{SeriesName, log_samples, values_along};
 
 use crate::CommandResult;
 use crate::opening::OpenedPath;
@@ -32,7 +34,7 @@ impl TrackKind {
     }
 }
 
-/// The track of what was opened, with the values of the field `channel` (`TOPIC.FIELD`) beside its places: at each the last
+/// The track of what was opened, with the values of `channel` (`TOPIC.FIELD`, or what is computed of such) beside its places: at each the last
 /// value before it.
 ///
 /// # Errors
@@ -71,20 +73,21 @@ pub fn track(
         let words = kind.words();
         return Err(format!("{}: no places by the {words} in it", log.name));
     }
-    let values = channel
-        .map(|name| FieldValues::of(&log, name))
-        .transpose()?;
-    let points = places.into_iter().map(|(time, place)| FlownPoint {
-        time,
-        place,
-        value: values.as_ref().and_then(|values| values.at(time)),
-    });
+    let series = channel.map(|name| series_called(&log, name)).transpose()?;
+    let times: Vec<f64> = places.iter().map(|(time, _)| *time).collect();
+    let values = series.as_ref().map(|series| values_along(series, &times));
+    let values = values.unwrap_or_else(|| vec![None; times.len()]);
+    let points = places.into_iter().zip(values);
+    let points = points.map(|((time, place), value)| FlownPoint { time, place, value });
     Ok(FlownTrack {
         name: format!("{}, {}", log.name, kind.words()),
         utc_at_zero: log.utc_at_zero,
         has_height,
         points: points.collect(),
-        values: values.map(|values| values.called),
+        values: channel.zip(series).map(|(name, series)| FlownValues {
+            name: name.to_owned(),
+            unit: series.unit,
+        }),
     })
 }
 
@@ -147,61 +150,45 @@ pub fn write_estimate(flight: &Flight, run: &Run, at: FlownWhere, path: &Path) -
     Ok(crate::files::write_whole(path, written.bytes)?)
 }
 
-/// Values of a field, in order of time.
-struct FieldValues {
-    called: FlownValues,
-    samples: Vec<(f64, f64)>,
-}
-
-impl FieldValues {
-    fn of(log: &Log, name: &str) -> Result<Self, String> {
-        let is_topic = |topic: &&Topic, wanted: &str| {
-            !topic.is_empty() && (topic.name.to_string() == wanted || topic.name.name == wanted)
-        };
-        // Names of topics and of fields may have dots in them.
-        let mut dots = name.match_indices('.').map(|(at, _)| name.split_at(at));
-        let found = dots.find_map(|(topic, field)| {
-            let topic = log.topics.iter().find(|it| is_topic(it, topic))?;
-            let field = topic.field(&field[1..])?;
-            field.kind.is_number().then_some((topic, field))
-        });
-        let Some((topic, field)) = found else {
-            let fields = log
-                .topics
-                .iter()
-                .filter(|topic| name.split('.').next().is_some_and(|n| is_topic(topic, n)))
-                .flat_map(|topic| topic.fields.iter().filter(|f| f.kind.is_number()))
-                .map(|field| field.name.as_str());
-            let fields: Vec<&str> = fields.collect();
-            return Err(if fields.is_empty() {
-                format!(
-                    "{}: no field {name}; say TOPIC.FIELD, with a topic of `pilotage inspect --counts`",
-                    log.name
-                )
-            } else {
-                format!(
-                    "{}: no field {name}; there are {}",
-                    log.name,
-                    fields.join(", ")
-                )
-            });
-        };
-        let rows = topic.times.iter().zip(topic.rows.iter());
-        let samples = rows.filter_map(|(time, row)| Some((*time, field.value(row)?)));
-        let mut samples: Vec<(f64, f64)> = samples.filter(|(time, _)| time.is_finite()).collect();
-        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(Self {
-            called: FlownValues {
-                name: name.to_owned(),
-                unit: field.unit.clone(),
-            },
-            samples,
+/// The series of a log that a name says: TOPIC.FIELD, else an expression over fields and roles.
+fn series_called(log: &Log, name: &str) -> Result<TimedSamples, String> {
+    let is_topic = |topic: &&Topic, wanted: &str| {
+        !topic.is_empty() && (topic.name.to_string() == wanted || topic.name.name == wanted)
+    };
+    // Names of topics and of fields may have dots in them.
+    let mut dots = name.match_indices('.').map(|(at, _)| name.split_at(at));
+    let found = dots.find_map(|(topic, field)| {
+        let topic = log.topics.iter().find(|it| is_topic(it, topic))?;
+        let field = topic.field(&field[1..])?;
+        field.kind.is_number().then(|| SeriesName {
+            topic: topic.name.clone(),
+            field: field.name.clone(),
         })
+    });
+    if let Some(found) = found {
+        return log_samples(log, &found);
     }
-
-    /// The last value at or before `time`.
-    fn at(&self, time: f64) -> Option<f64> {
-        let after = self.samples.partition_point(|(t, _)| *t <= time + 1e-9);
-        Some(self.samples.get(after.checked_sub(1)?)?.1)
+    if let Ok(computed) = log_samples(log, &SeriesName::expression(name)) {
+        return Ok(computed);
     }
+    let fields = log
+        .topics
+        .iter()
+        .filter(|topic| name.split('.').next().is_some_and(|n| is_topic(topic, n)))
+        .flat_map(|topic| topic.fields.iter().filter(|f| f.kind.is_number()))
+        .map(|field| field.name.as_str());
+    let fields: Vec<&str> = fields.collect();
+    Err(if fields.is_empty() {
+        format!(
+            "{}: no field {name}; say TOPIC.FIELD, with a topic of `pilotage inspect --counts`, or what is computed of such: \
+             2 * TOPIC.FIELD",
+            log.name
+        )
+    } else {
+        format!(
+            "{}: no field {name}; there are {}",
+            log.name,
+            fields.join(", ")
+        )
+    })
 }

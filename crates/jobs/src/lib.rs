@@ -92,7 +92,8 @@ pub use messages::{
     OutageReport, PackOrder, PhotoReport, PhotosOrder, PlannedPath, PredictionOrder,
     ReadControlPoints, ReadLog, RecordedPlaces, RehearsedFlight, Reply, Request, RouteWishes,
     SeriesName, Share, SimulationOptions, StudiedFlight, StudyReport, SuggestOrder, TerrainInfo,
-    TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
+    TrackSeries, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced, WebMap,
+    WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use opening::{map as map_among, mission_beside_flight};
@@ -109,6 +110,7 @@ pub use road_files::{left_out_of_roads, roads_in_world, without_roads};
 pub use road_flight::{RoadFlight, RoadFlightOrder};
 pub use roads_lost::RoadsLostOrder;
 pub use runner::JobRunner;
+pub use samples::{samples as log_samples, values_along};
 pub use sensitivity::SensitivityOrder;
 pub use share::{ShareOrder, Shareable};
 pub use simulated::scenario_wind;

@@ -10,6 +10,8 @@ use super::SeriesName;
 
 /// Samples that are kept at most, for those who ask for the same series again.
 const MOST_KEPT: usize = 1 << 24;
+/// Times count as one that differ by less, seconds.
+const SAME_TIME: f64 = 1e-9;
 
 /// A series of a log in order of time.
 ///
@@ -33,6 +35,26 @@ pub fn samples(log: &Log, name: &SeriesName) -> Result<TimedSamples, String> {
     let samples = topic.times.iter().copied();
     let samples = samples.zip(values.map(|value| value.unwrap_or(f64::NAN)));
     Ok(TimedSamples::in_order(samples, field.unit.clone()))
+}
+
+/// The last value of a series at or before each of `times` (seconds, in the log's time base), where there is one; samples
+/// without a value are passed over.
+///
+/// ```
+/// use pilotage_core::flight::expression::TimedSamples;
+/// use pilotage_jobs::values_along;
+///
+/// let samples = [(1.0, 5.0), (2.0, f64::NAN), (3.0, 7.0)];
+/// let samples = TimedSamples::in_order(samples.into_iter(), "m");
+/// assert_eq!(values_along(&samples, &[0.5, 2.5, 3.0]), [None, Some(5.0), Some(7.0)]);
+/// ```
+pub fn values_along(samples: &TimedSamples, times: &[f64]) -> Vec<Option<f64>> {
+    let at = |time: &f64| {
+        let after = samples.times.partition_point(|t| *t <= time + SAME_TIME);
+        let before = samples.values.get(..after)?;
+        before.iter().rev().copied().find(|value| !value.is_nan())
+    };
+    times.iter().map(at).collect()
 }
 
 /// Series that were asked for last.

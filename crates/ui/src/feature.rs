@@ -6,7 +6,9 @@ use pilotage_core::exchange::FlownValues;
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::mission::Mission;
-use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenedFiles};
+use pilotage_jobs::{
+    Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenedFiles, TrackSeries,
+};
 use serde_json::Value;
 
 use crate::command::{Command, Workspace};
@@ -581,9 +583,8 @@ pub trait Feature {
         Vec::new()
     }
 
-    /// Values to be saved beside the flown track: what they are, and one for each of `times` (seconds in the flight's
-    /// time base), where there is one.
-    fn values_along(&self, _times: &[f64]) -> Option<(FlownValues, Vec<Option<f64>>)> {
+    /// Series of the log whose values are to be saved beside the flown track, and what they are called there.
+    fn series_along(&self) -> Option<(FlownValues, TrackSeries)> {
         None
     }
 

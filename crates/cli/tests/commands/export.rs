@@ -37,3 +37,37 @@ fn a_column_called_as_the_time_stands_beside_the_time_of_the_log() {
     let is_there = |name: &[u8]| bytes.windows(name.len()).any(|part| part == name);
     assert!(is_there(b"time_s-2"));
 }
+
+#[test]
+fn values_beside_a_track_are_those_of_the_log_to_the_digit_or_computed_of_them() {
+    let folder = Folder::new("export-track");
+    let mut log = "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n\
+        FMT, 2, 27, GPS, QBLLfff, TimeUS,Status,Lat,Lng,Alt,Spd,GCrs\n\
+        FMT, 3, 19, CNT, QQ, TimeUS,Count\n"
+        .to_owned();
+    for i in 0..40_u64 {
+        let (time, along) = (1_000_000 + 100_000 * i, 8.0 + i as f64 * 3e-5);
+        let count = 40_000_000_000_001 * i;
+        log += &format!("CNT, {time}, {count}\nGPS, {time}, 3, 47.0, {along:.7}, 520, 20, 90\n");
+    }
+    folder.write("count.log", log);
+    let written = |channel: &str| {
+        let words = [
+            "export",
+            "count.log",
+            "--track",
+            "gps",
+            "--channel",
+            channel,
+        ];
+        let csv = folder.run(&[&words[..], &["--format", "csv"]].concat());
+        csv.expect("a track")
+    };
+    let csv = written("CNT.Count");
+    assert!(csv.contains("1560000000000039"), "{csv}");
+    assert!(written("2 * CNT.Count").contains("3120000000000078"));
+    let words = ["export", "count.log", "--track", "gps", "--channel"];
+    let refused = folder.run(&[&words[..], &["CNT.Cuont"]].concat());
+    let refused = refused.unwrap_err();
+    assert!(refused.contains("there are TimeUS, Count"), "{refused}");
+}

@@ -7,6 +7,8 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, NoFlyZone, RallyPoint, Route};
 use serde::{Deserialize, Serialize};
 
+use super::SeriesName;
+
 /// Content of the file, and its format.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ExportOrder {
@@ -31,6 +33,8 @@ pub enum ExportOrder {
         format: Format,
         /// The track.
         track: FlownTrack,
+        /// The series whose values stand beside its points, if any does; they are called as the track says.
+        beside: Option<TrackSeries>,
     },
     /// Labels of pictures.
     Labels {
@@ -41,4 +45,15 @@ pub enum ExportOrder {
         /// The landmarks, whose names are written.
         landmarks: Vec<Landmark>,
     },
+}
+
+/// A series of a log whose values stand beside the points of a track.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrackSeries {
+    /// Key of the files with the log.
+    pub key: String,
+    /// Name of the log among them.
+    pub file: String,
+    /// Name of the series.
+    pub series: SeriesName,
 }

@@ -49,7 +49,7 @@ pub use control_points::ReadControlPoints;
 pub use evaluate::{EvaluationOrder, EvaluationReport, JudgedDetector};
 pub use event::JobEvent;
 pub use explain::{DetectorSearch, Distinctness, ExplainedBy, MatchPictures};
-pub use export::ExportOrder;
+pub use export::{ExportOrder, TrackSeries};
 pub use field::{FieldFrom, FieldOrder, FixesFrom};
 pub use find::{FindOrder, Foreseen, FoundPlan, HighGround, RouteWishes};
 pub use flown_camera::FlownCamera;

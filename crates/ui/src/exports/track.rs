@@ -2,7 +2,7 @@
 
 use pilotage_core::exchange::{FlownTrack, Format};
 use pilotage_core::frames::LocalFrame;
-use pilotage_jobs::ExportOrder;
+use pilotage_jobs::{ExportOrder, TrackSeries};
 
 use crate::export_command::ExportedFile;
 use crate::feature::FeatureContext;
@@ -14,7 +14,7 @@ pub(super) fn track_file(
     format: Format,
     context: &FeatureContext<'_>,
 ) -> Option<(ExportedFile, ExportOrder)> {
-    let track = flown_track(context)?;
+    let (track, beside) = flown_track(context)?;
     let name = stem(&context.documents.mission.name);
     let part = context.documents.part_flown();
     let part = part.map_or_else(String::new, |part| format!(" ({part})"));
@@ -23,10 +23,16 @@ pub(super) fn track_file(
         format: format.name(),
         name: format!("{name}-track.{}", format.extensions()[0]),
     };
-    Some((file, ExportOrder::Track { format, track }))
+    let order = ExportOrder::Track {
+        format,
+        track,
+        beside,
+    };
+    Some((file, order))
 }
 
-fn flown_track(context: &FeatureContext<'_>) -> Option<FlownTrack> {
+/// The track, and the series whose values stand beside it.
+fn flown_track(context: &FeatureContext<'_>) -> Option<(FlownTrack, Option<TrackSeries>)> {
     let documents = &*context.documents;
     let run = documents.run.navigated.as_ref()?;
     let flight = documents.flight.measured.as_ref()?;
@@ -35,13 +41,11 @@ fn flown_track(context: &FeatureContext<'_>) -> Option<FlownTrack> {
     let log = documents.flight.log.as_ref();
     let utc_at_zero = log.and_then(|log| log.utc_at_zero);
     let mut track = run.estimated_track(&flight.name, &frame, utc_at_zero);
-    let times: Vec<f64> = track.points.iter().map(|point| point.time).collect();
     let mut others = context.others();
-    if let Some((what, values)) = others.find_map(|it| it.values_along(&times)) {
+    let beside = others.find_map(|it| it.series_along());
+    let beside = beside.map(|(what, along)| {
         track.values = Some(what);
-        for (point, value) in track.points.iter_mut().zip(values) {
-            point.value = value;
-        }
-    }
-    Some(track)
+        along
+    });
+    Some((track, beside))
 }

@@ -3,7 +3,7 @@
 use egui::{Painter, Pos2, Rect, Ui};
 use pilotage_core::exchange::FlownValues;
 use pilotage_core::frames::LocalFrame;
-use pilotage_jobs::{JobEvent, JobId, MapSource};
+use pilotage_jobs::{JobEvent, JobId, MapSource, TrackSeries};
 use serde_json::Value;
 
 use super::catalog::commands;
@@ -166,14 +166,20 @@ impl Feature for LogFeature {
         reading.map(|reading| reading.flight.key.as_str()).collect()
     }
 
-    /// Values of the field that colours the recorded track.
-    fn values_along(&self, times: &[f64]) -> Option<(FlownValues, Vec<Option<f64>>)> {
+    /// The field that colours the recorded track.
+    fn series_along(&self) -> Option<(FlownValues, TrackSeries)> {
         let ColouredTrack { name, series } = self.coloured()?;
+        let log = self.log.as_ref()?;
         let what = FlownValues {
             name: series_name(name),
             unit: series.unit.clone(),
         };
-        Some((what, times.iter().map(|time| series.at(*time)).collect()))
+        let along = TrackSeries {
+            key: log.key.clone(),
+            file: log.file.clone(),
+            series: name.clone(),
+        };
+        Some((what, along))
     }
 }
 
