@@ -208,6 +208,8 @@ fn failure(plan: &StudyPlan, numbers: &[Option<f64>]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_study::{StudyDesign, StudyRow, StudyTally};
+
     use super::*;
 
     #[test]
@@ -261,6 +263,65 @@ mod tests {
         let [low, high] = outcome(10, 20).interval;
         assert!((low - 0.8389).abs() < 1e-3 && (high - 1.0).abs() < 1e-9);
         assert_eq!(ten.error.unwrap().median, None);
+    }
+
+    /// Sorted flights on the page, tallies of constant size at the terminal.
+    #[test]
+    fn a_setting_has_the_figures_that_the_terminal_prints_of_its_cell() {
+        let plan = "name = 'test'\nquestion = '?'\ndraws = 2001\n\
+            measure = [{ of = 'error-rms' }, { of = 'inside-95-end' }]\n\
+            cross.bias-heading = [0, 1, 2]";
+        let design = StudyDesign::new(StudyPlan::read(plan).unwrap());
+        let cells = design.plan().cells();
+        let mut tally = StudyTally::new(&design);
+        let mut settings = vec![SettingTally::default(); cells as usize];
+        for run in 0..2001 * cells {
+            let part = |step: f64| (step * run as f64).fract();
+            let cell = (run % cells) as f64;
+            let error = (1.0 + cell) * (2.5 * part(0.618_034)).exp();
+            let is_inside = part(0.754_878) < 0.97 - 0.1 * cell;
+            let inside = f64::from(u8::from(is_inside));
+            let measured = vec![Some(error), Some(inside)];
+            tally.take(StudyRow { run, measured }).unwrap();
+            let numbers = MeasureKind::ALL.map(|kind| match kind {
+                MeasureKind::ErrorRms => Some(error),
+                MeasureKind::InsideAtEnd => Some(inside),
+                _ => None,
+            });
+            settings[(run % cells) as usize].take(run / cells, &numbers, MeasureKind::ErrorRms);
+        }
+        let near = |a: f64, b: f64, most: f64| assert!((a - b).abs() <= most * b, "{a} {b}");
+        for (cell, setting) in tally.summary().cells.iter().zip(settings) {
+            let own = setting.outcome(String::new(), true);
+            let [error, inside] = &cell.measures[..] else {
+                panic!("{} measures", cell.measures.len())
+            };
+            let share = inside.mean.as_ref().unwrap();
+            near(share.mean, own.share().unwrap(), 1e-12);
+            for (theirs, own) in share.interval.unwrap().into_iter().zip(own.interval) {
+                near(theirs, own, 1e-9);
+            }
+            // The terminal's quantiles are true to half a percent; neighbours here are 0.1 % apart.
+            let spread = own.error.unwrap();
+            let shares = [0.05, 0.25, 0.5, 0.75, 0.95];
+            let mut compared = 0;
+            for theirs in &error.quantiles {
+                let same = shares.iter().position(|share| *share == theirs.share);
+                if let Some(at) = same {
+                    near(theirs.value, spread.quantiles[at], 0.007);
+                    compared += 1;
+                }
+                if theirs.share == 0.5 {
+                    let both = theirs
+                        .interval
+                        .unwrap()
+                        .into_iter()
+                        .zip(spread.median.unwrap());
+                    both.for_each(|(theirs, own)| near(theirs, own, 0.007));
+                }
+            }
+            assert!(compared >= 3, "{compared}");
+        }
     }
 
     #[test]
