@@ -252,6 +252,11 @@ impl FeatureContext<'_> {
         self.host.leave(job);
     }
 
+    /// Waits no more for a job that has given its answer, and lets it end by itself; nothing more of it comes to the feature.
+    pub fn wait_no_more(&mut self, job: JobId) {
+        self.host.owners().leave(job);
+    }
+
     /// Tells people something.
     pub fn note(&mut self, title: &str, text: impl Into<String>) {
         let now = self.host.now();
@@ -387,8 +392,11 @@ impl FeatureWork {
         };
     }
 
-    /// Takes an event of the job: progress, failure and end; results are its owner's.
-    pub fn take(&mut self, event: &JobEvent) {
+    /// Takes an event of the job: progress, failure and end; results are its owner's. False if it is of another job.
+    pub fn take(&mut self, job: JobId, event: &JobEvent) -> bool {
+        if self.job != Some(job) {
+            return false;
+        }
         match event {
             JobEvent::Progress(share, words) => {
                 self.words = Some(format!("{words}: {:.0} %", 100.0 * share));
@@ -400,6 +408,7 @@ impl FeatureWork {
         if event.is_last() {
             (self.job, self.words) = (None, None);
         }
+        true
     }
 
     /// Stops the job under way; whether there was one.
@@ -452,8 +461,16 @@ pub trait Feature {
         Vec::new()
     }
 
-    /// Takes an event of a job that it started.
-    fn on_event(&mut self, _job: JobId, _event: JobEvent, _context: &mut FeatureContext<'_>) {}
+    /// Takes an event of a job that it started; whether it waits for that job. One that nobody waits for is a fault of
+    /// the program, and told: a feature waits for a job until its last event, or says that it waits no more.
+    fn on_event(
+        &mut self,
+        _job: JobId,
+        _event: JobEvent,
+        _context: &mut FeatureContext<'_>,
+    ) -> bool {
+        false
+    }
 
     /// Stops its work because people asked for that; whether there was any.
     fn stop(&mut self, _context: &mut FeatureContext<'_>) -> bool {

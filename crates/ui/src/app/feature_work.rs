@@ -240,7 +240,8 @@ impl App {
         self.toasts.trouble(host.now(), "Nothing was done", text);
     }
 
-    /// Brings an event to the feature that started its job; false if there is no such feature.
+    /// Brings an event to the feature that started its job; false if there is no such feature, or it does not wait for
+    /// that job.
     pub(super) fn feature_event(
         &mut self,
         owner: FeatureId,
@@ -252,12 +253,13 @@ impl App {
             return false;
         };
         let mut event = Some(event);
+        let mut is_awaited = false;
         self.with_feature(index, egui, host, &mut |feature, context| {
             if let Some(event) = event.take() {
-                feature.on_event(id, event, context);
+                is_awaited = feature.on_event(id, event, context);
             }
         });
-        true
+        is_awaited
     }
 
     /// Stops the work of the first feature that has any, among those that tell how far it is or among all; whether one
@@ -377,5 +379,157 @@ impl App {
             is_done = is_done || feature.take_files(set, context);
         });
         is_done
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::feature::FeatureInfo;
+    use crate::job_owners::{JobOwner, JobOwners};
+    use pilotage_jobs::{Job, ReadPlacesOrder};
+
+    /// Takes jobs, of which none begins.
+    #[derive(Default)]
+    struct IdleHost {
+        owners: JobOwners,
+        begun: JobId,
+        events: Vec<(JobId, JobEvent)>,
+    }
+
+    impl Host for IdleHost {
+        fn now(&self) -> f64 {
+            0.0
+        }
+
+        fn begin(&mut self, _job: Job) -> JobId {
+            self.begun += 1;
+            self.begun
+        }
+
+        fn owners(&mut self) -> &mut JobOwners {
+            &mut self.owners
+        }
+
+        fn cancel(&mut self, _job: JobId) {}
+
+        fn hold(&mut self, _job: JobId, _is_held: bool) {}
+
+        fn events(&mut self) -> Vec<(JobId, JobEvent)> {
+            std::mem::take(&mut self.events)
+        }
+
+        fn opened(&mut self) -> Vec<Vec<crate::host::OpenedFile>> {
+            Vec::new()
+        }
+
+        fn ask_for_files(&mut self) {}
+
+        fn save_file(&mut self, _name: &str, _bytes: &[u8]) {}
+
+        fn store(&mut self, _key: &str, _bytes: &[u8]) {}
+
+        fn recall(&self, _key: &str) -> Option<Vec<u8>> {
+            None
+        }
+    }
+
+    static DEAF: FeatureInfo = FeatureInfo {
+        id: "deaf",
+        tab: "Deaf",
+        place: FeaturePlace::Nowhere,
+        commands: Vec::new,
+    };
+
+    /// Feature that starts a job at a command of the action `()`, and forgets to take what comes of it.
+    #[derive(Default)]
+    struct Deaf {
+        job: Option<JobId>,
+    }
+
+    impl Feature for Deaf {
+        fn info(&self) -> &'static FeatureInfo {
+            &DEAF
+        }
+
+        fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+            let is_mine = command.action() == Some(&());
+            if is_mine {
+                let key = "places".to_owned();
+                self.job = Some(context.start(Job::ReadPlaces(ReadPlacesOrder { key })));
+            }
+            is_mine
+        }
+
+        fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+            let job = self.job.take();
+            if let Some(job) = job {
+                context.wait_no_more(job);
+            }
+            job.is_some()
+        }
+    }
+
+    /// Every feature, and one that is none.
+    fn owners() -> impl Iterator<Item = FeatureId> {
+        let all = crate::features::all();
+        let all: Vec<_> = all.iter().map(|feature| feature.info().id).collect();
+        all.into_iter().chain(["nobody"])
+    }
+
+    fn told(app: &App) -> Vec<&str> {
+        let list = app.toasts.list().iter();
+        list.map(|toast| toast.title.as_str()).collect()
+    }
+
+    #[test]
+    fn an_answer_for_which_its_feature_does_not_wait_is_told() {
+        let (egui, mut host) = (egui::Context::default(), IdleHost::default());
+        let mut app = App::new(&egui, &host);
+        app.views.features.push(Box::new(Deaf::default()));
+        let begin = || Command::Feature(FeatureCommand::new("deaf", ()));
+        app.execute(begin(), &egui, &mut host);
+        host.events = vec![(host.begun, JobEvent::Places(Vec::new()))];
+        app.receive(&egui, &mut host);
+        assert_eq!(told(&app), ["An answer was not used"]);
+
+        // Unless the feature said that it would.
+        let mut app = App::new(&egui, &host);
+        app.views.features.push(Box::new(Deaf::default()));
+        app.execute(begin(), &egui, &mut host);
+        assert!(app.stop_features(false, &egui, &mut host));
+        host.events = vec![
+            (host.begun, JobEvent::Places(Vec::new())),
+            (host.begun, JobEvent::Finished),
+        ];
+        app.receive(&egui, &mut host);
+        assert!(told(&app).is_empty());
+    }
+
+    #[test]
+    fn an_answer_of_another_job_is_told_by_every_feature() {
+        let egui = egui::Context::default();
+        for owner in owners() {
+            let mut host = IdleHost::default();
+            let mut app = App::new(&egui, &host);
+            host.owners.own(99, JobOwner::Feature(owner));
+            host.events = vec![(99, JobEvent::Places(Vec::new()))];
+            app.receive(&egui, &mut host);
+            assert_eq!(told(&app), ["An answer was not used"], "{owner}");
+        }
+    }
+
+    #[test]
+    fn a_command_that_nobody_carries_out_is_told() {
+        let (egui, mut host) = (egui::Context::default(), IdleHost::default());
+        for to in owners() {
+            let mut app = App::new(&egui, &host);
+            app.execute(
+                Command::Feature(FeatureCommand::new(to, 1_u8)),
+                &egui,
+                &mut host,
+            );
+            assert_eq!(told(&app), ["Nothing was done"], "{to}");
+        }
     }
 }

@@ -178,11 +178,12 @@ impl Feature for CameraLogFeature {
         vec![self]
     }
 
-    fn on_event(&mut self, _job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
-        self.job.take(&event);
-        if let JobEvent::CameraCalibrated(found) = event {
+    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) -> bool {
+        let is_mine = self.job.take(job, &event);
+        if let (true, JobEvent::CameraCalibrated(found)) = (is_mine, event) {
             self.work.take(*found, self.estimated_on.take());
         }
+        is_mine
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

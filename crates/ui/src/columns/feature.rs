@@ -107,13 +107,16 @@ impl Feature for ColumnsFeature {
         self.dialog.show(ui.ctx(), tokens, units, context.commands);
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
         let is_awaited = |draft: &&mut ColumnsDraft| draft.job == Some(job);
         let Some(draft) = self.dialog.draft_mut().filter(is_awaited) else {
-            return;
+            return false;
         };
         match event {
-            JobEvent::FlightMade(made) => self.take_flight(&made, context),
+            JobEvent::FlightMade(made) => {
+                context.wait_no_more(job);
+                self.take_flight(&made, context);
+            }
             JobEvent::Failed(why) => {
                 draft.job = None;
                 draft.failed = Some(why);
@@ -121,6 +124,7 @@ impl Feature for ColumnsFeature {
             JobEvent::Finished | JobEvent::Cancelled => draft.job = None,
             _ => {}
         }
+        true
     }
 
     fn take_first(

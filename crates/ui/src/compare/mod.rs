@@ -149,7 +149,6 @@ impl Compare {
 
     /// Takes an event of the job that smooths a run.
     fn smoothing_event(&mut self, event: &JobEvent, context: &mut FeatureContext<'_>) {
-        self.smoothing.work.take(event);
         match event {
             JobEvent::Smoothed(places) => {
                 let Some(track) = self.smoothing.track.take() else {
@@ -230,14 +229,16 @@ impl Feature for Compare {
         vec![&self.shelf]
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
-        if self.smoothing.work.job == Some(job) {
-            return self.smoothing_event(&event, context);
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
+        if self.smoothing.work.take(job, &event) {
+            self.smoothing_event(&event, context);
+            return true;
         }
-        self.contest.work.take(&event);
-        if let JobEvent::ContestJudged(found) = event {
+        let is_contest = self.contest.work.take(job, &event);
+        if let (true, JobEvent::ContestJudged(found)) = (is_contest, event) {
             self.contest.found = Some(*found);
         }
+        is_contest
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

@@ -95,9 +95,9 @@ impl Feature for DetectorFeature {
         self.view.show(ui, context, search);
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) -> bool {
         let Some(step) = self.asked.take(job, &event) else {
-            return self.judgement.take(event);
+            return self.judgement.take(job, event);
         };
         let search = match event {
             JobEvent::Detector(search) => *search,
@@ -106,9 +106,10 @@ impl Feature for DetectorFeature {
                 landmark: step.landmark,
                 found: Err(why),
             },
-            _ => return,
+            _ => return true,
         };
         self.found = Some((step, search));
+        true
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {

@@ -74,8 +74,11 @@ impl Judgement {
         self.is_open = false;
     }
 
-    /// Takes an event of the job under way.
-    pub fn take(&mut self, event: JobEvent) {
+    /// Takes an event of the job under way; false if it is of another one.
+    pub fn take(&mut self, job: JobId, event: JobEvent) -> bool {
+        if self.job.as_ref().is_none_or(|(own, ..)| *own != job) {
+            return false;
+        }
         let is_last = event.is_last();
         match event {
             JobEvent::Progress(fraction, what) => {
@@ -90,6 +93,7 @@ impl Judgement {
         if is_last {
             self.job = None;
         }
+        true
     }
 
     /// Whether its report is there and whole.

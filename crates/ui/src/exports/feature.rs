@@ -152,10 +152,9 @@ impl Feature for ExportsFeature {
         jobs.map(|job| context.cancel(job)).count() > 0
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
         let Some(place) = self.making.iter().position(|(id, _)| *id == job) else {
-            self.mission.take(job, event, context);
-            return;
+            return self.mission.take(job, event, context);
         };
         let is_last = event.is_last();
         let ExportedFile { what, format, name } = &self.making[place].1;
@@ -174,6 +173,7 @@ impl Feature for ExportsFeature {
         if is_last {
             self.making.remove(place);
         }
+        true
     }
 }
 

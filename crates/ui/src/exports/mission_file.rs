@@ -19,7 +19,8 @@ struct Packing {
 pub(super) struct MissionFile(Option<Packing>);
 
 impl MissionFile {
-    /// Has the mission made into a file, with the pictures of its map and what other features save beside it.
+    /// Has the mission made into a file, with the pictures of its map and what other features save beside it; in the place
+    /// of the one being made, if one is.
     pub(super) fn make(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let mut beside = Beside {
@@ -38,7 +39,9 @@ impl MissionFile {
         let name = format!("{}.pilotage.zip", stem(&documents.mission.name));
         let edits = documents.mission.history.edits();
         let job = context.start(Job::Pack(Box::new(order)));
-        self.0 = Some(Packing { job, name, edits });
+        if let Some(before) = self.0.replace(Packing { job, name, edits }) {
+            context.cancel(before.job);
+        }
     }
 
     /// Whether it is being made.
@@ -51,10 +54,15 @@ impl MissionFile {
         self.0.take().map(|packing| packing.job)
     }
 
-    /// Takes what the worker says of the file.
-    pub(super) fn take(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+    /// Takes what the worker says of the file; false if it is about something else.
+    pub(super) fn take(
+        &mut self,
+        job: JobId,
+        event: JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
         let Some(Packing { name, edits, .. }) = self.0.as_ref().filter(|it| it.job == job) else {
-            return;
+            return false;
         };
         let is_last = event.is_last();
         match event {
@@ -74,5 +82,6 @@ impl MissionFile {
         if is_last {
             self.0 = None;
         }
+        true
     }
 }

@@ -195,9 +195,22 @@ impl GeoreferencerFeature {
             provide(context.host, &set.key, &set.files);
             let key = set.key.clone();
             let id = context.start(Job::ReadPlaces(ReadPlacesOrder { key }));
-            self.places = Some((id, set.files.clone()));
+            if let Some((before, _)) = self.places.replace((id, set.files.clone())) {
+                context.cancel(before);
+            }
         }
         has_places
+    }
+
+    /// Whether it waits for a job.
+    pub(super) fn waits_for(&self, id: JobId) -> bool {
+        let tiles = self.tiles.iter().map(|(job, _)| job);
+        let places = self.places.iter().map(|(job, _)| job);
+        let mut jobs = tiles
+            .chain(&self.describe)
+            .chain(places)
+            .chain(&self.points);
+        jobs.any(|job| *job == id)
     }
 
     /// Takes what a worker says.
@@ -211,7 +224,6 @@ impl GeoreferencerFeature {
                 // when looked at from near.
                 let tiles = &mut picture.canvas.tiles;
                 tiles.insert(context.egui, &window, &pixels, true);
-                self.tiles.retain(|(job, _)| *job != id);
             }
             JobEvent::MapInfo(info) => {
                 picture.describe(&info);
@@ -263,7 +275,8 @@ impl GeoreferencerFeature {
     /// Has files in which no places were found opened as anything else, such as a table of a flight; whoever opens files
     /// also tells what is wrong with those that are nothing.
     fn open_without_places(&mut self, context: &mut FeatureContext<'_>) {
-        if let Some((_, files)) = self.places.take() {
+        if let Some((job, files)) = self.places.take() {
+            context.wait_no_more(job);
             self.without_places = files.iter().map(|file| file.path.clone()).collect();
             context.open(files);
         }

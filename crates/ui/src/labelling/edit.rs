@@ -94,9 +94,15 @@ pub(super) fn say_of_label(command: &LabelCommand, context: &mut FeatureContext<
                 mission.set_label(&picture, label);
             }
         }
-        _ => {
+        LabelCommand::Delete => {
             mission.clear_label(&picture.flight, &picture.frame, landmark);
         }
+        LabelCommand::Toggle
+        | LabelCommand::Choose(_)
+        | LabelCommand::Propose
+        | LabelCommand::Accept
+        | LabelCommand::Set { .. }
+        | LabelCommand::Export(_) => return false,
     }
     if *mission != before {
         documents.mission.history.remember(&before);

@@ -61,7 +61,13 @@ impl Feature for Labelling {
         match command {
             LabelCommand::Toggle => self.toggle(context),
             LabelCommand::Export(format) => export_labels(*format, context),
-            _ => {}
+            LabelCommand::Choose(_)
+            | LabelCommand::Propose
+            | LabelCommand::Accept
+            | LabelCommand::Set { .. }
+            | LabelCommand::Delete
+            | LabelCommand::MarkAbsent
+            | LabelCommand::ToggleDifficult => {}
         }
         let Some(labeller) = &mut self.labeller else {
             return true;

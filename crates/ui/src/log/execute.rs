@@ -36,10 +36,16 @@ impl LogFeature {
             }
             LogCommand::ReadAgain => self.read_again(context),
             LogCommand::FlyVehicle(system) => self.fly_vehicle(system, context),
-            other => {
+            LogCommand::Toggle(_)
+            | LogCommand::Plot(_)
+            | LogCommand::PlotAlone(_)
+            | LogCommand::Remove { .. }
+            | LogCommand::ClosePanel(_)
+            | LogCommand::PlotAgainst { .. }
+            | LogCommand::JoinPoints { .. } => {
                 self.shows_plots = true;
                 context.view.plots_open = Some(true);
-                self.plots.execute(other);
+                self.plots.execute(command);
             }
         }
     }

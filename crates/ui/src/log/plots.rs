@@ -113,8 +113,10 @@ impl LogPlots {
                 }
                 self.panels.retain(|panel| !panel.content.fields.is_empty());
             }
-            LogCommand::ClosePanel(panel) if panel < self.panels.len() => {
-                self.panels.remove(panel);
+            LogCommand::ClosePanel(panel) => {
+                if panel < self.panels.len() {
+                    self.panels.remove(panel);
+                }
             }
             LogCommand::PlotAgainst { panel, against } => {
                 if let Some(panel) = self.panels.get_mut(panel) {
@@ -126,7 +128,16 @@ impl LogPlots {
                     panel.content.joined = joined;
                 }
             }
-            _ => {}
+            // Nothing about the plots that are shown.
+            LogCommand::ShowPreset(_)
+            | LogCommand::Presets(_)
+            | LogCommand::SaveSvg
+            | LogCommand::SavePng
+            | LogCommand::ColourTrack(_)
+            | LogCommand::ShowTab(_)
+            | LogCommand::SaveTable
+            | LogCommand::FlyVehicle(_)
+            | LogCommand::ReadAgain => {}
         }
         self.active = self.active.min(self.panels.len().saturating_sub(1));
     }

@@ -133,9 +133,12 @@ impl LogFeature {
     }
 
     fn take(&mut self, read: ReadLog, context: &mut FeatureContext<'_>) {
-        let Some(Reading { flight, .. }) = self.reading.take() else {
+        let Some(Reading { job, flight, .. }) = self.reading.take() else {
             return;
         };
+        context.wait_no_more(job);
+        // What was asked while it was read is asked anew of all of it.
+        self.stop_asking(context);
         self.grow(read.outline, context);
         let Some(log) = &mut self.log else {
             return;
@@ -146,12 +149,10 @@ impl LogFeature {
         log.overview = Some(read.overview);
         let frame = read.flight.as_ref().ok().copied().flatten();
         log.tracks = (read.tracks, frame);
-        self.answers = LogAnswers::default();
         let plots = &mut self.plots;
         if plots.is_empty() || plots.panels().eq(OpenLog::likely_fields()) {
             plots.begin(log.first_fields());
         }
-        self.fetching.clear();
         if let Some(why) = &read.lost_pictures {
             context.trouble("The pictures beside the log were left out", why);
         }
@@ -167,6 +168,13 @@ impl LogFeature {
 
     /// Leaves what was asked of a log that is open no longer.
     pub(super) fn leave(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop_asking(context);
+        self.plots.begin(Vec::new());
+        self.shows_plots = false;
+    }
+
+    /// Stops all that was asked of the log.
+    fn stop_asking(&mut self, context: &mut FeatureContext<'_>) {
         let LogAnswers {
             asked: _,
             figures,
@@ -178,8 +186,6 @@ impl LogFeature {
         for job in fetching.chain(figures).chain(table) {
             context.cancel(job);
         }
-        self.plots.begin(Vec::new());
-        self.shows_plots = false;
     }
 
     /// The worker that had the log is gone: another one has to read it first.

@@ -60,12 +60,14 @@ impl Feature for MatchFeature {
         self.view.show(ui, context, pictures);
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
-        if let Some(step) = self.asked.take(job, &event)
-            && let JobEvent::Match(pictures) = event
-        {
+    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) -> bool {
+        let Some(step) = self.asked.take(job, &event) else {
+            return false;
+        };
+        if let JobEvent::Match(pictures) = event {
             self.found = Some((step, *pictures));
         }
+        true
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {

@@ -123,8 +123,10 @@ impl Feature for Outages {
         vec![self]
     }
 
-    fn on_event(&mut self, _job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
-        self.work.take(&event);
+    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) -> bool {
+        if !self.work.take(job, &event) {
+            return false;
+        }
         match event {
             JobEvent::OutageMade(report) => {
                 (self.report, self.report_of) = (Some(*report), self.asked_of);
@@ -134,6 +136,7 @@ impl Feature for Outages {
             }
             _ => {}
         }
+        true
     }
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {

@@ -171,12 +171,15 @@ impl Feature for PhotosFeature {
         vec![self]
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
         if let Some((_, number)) = self.draping.filter(|(draping, _)| *draping == job) {
             self.draping_event(number, event, context);
         } else if self.laying == Some(job) {
             self.laying_event(event, context);
+        } else {
+            return false;
         }
+        true
     }
 
     /// Stops laying photos. Those that were laid stay.

@@ -17,22 +17,25 @@ use super::tab::PlanTab;
 use crate::context::route_of;
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
-use pilotage_jobs::FlightSource;
+use pilotage_jobs::{AssessmentOrder, FlightSource};
 
 /// Width of a corridor when it is made, metres.
 const CORRIDOR: f64 = 200.0;
 
 impl Planner {
-    /// Carries a command out.
-    pub(super) fn carry_out(&mut self, command: PlanCommand, context: &mut FeatureContext<'_>) {
+    /// Carries a command out; whether anything here does so. A new command needs an arm here, where no other catches it.
+    pub(super) fn carry_out(
+        &mut self,
+        command: PlanCommand,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
         if !context.is_shown {
             context.show();
         }
-        let Some(command) = self.edit_landmarks(command, context) else {
-            return;
-        };
-        let Some(command) = edit_rally_points(command, context) else {
-            return;
+        let left = self.edit_landmarks(command, context);
+        let left = left.and_then(|command| edit_rally_points(command, context));
+        let Some(command) = left.and_then(|command| self.prefer(command)) else {
+            return true;
         };
         match command {
             PlanCommand::ToggleDraw if self.drawing => self.finish_drawing(context),
@@ -57,32 +60,34 @@ impl Planner {
                     *context.selection = None;
                 }
             }
-            PlanCommand::SetLimit(limit) => self.preferences.limit = limit,
-            PlanCommand::SetAircraft {
-                bank,
-                power,
-                energy,
-            } => {
-                let preferences = &mut self.preferences;
-                (preferences.bank, preferences.power, preferences.energy) = (bank, power, energy);
-            }
-            PlanCommand::ToggleProfile => {
-                let shown = &mut self.preferences.profile;
-                *shown = !*shown;
-            }
             PlanCommand::SetGround { height, finished } => {
                 context
                     .documents
                     .state_ground(height, EditStep::of(finished));
                 context.document_changed();
             }
-            PlanCommand::SetWind(wind) => self.preferences.wind = wind,
-            PlanCommand::Assess(_)
-            | PlanCommand::AssessSelected
-            | PlanCommand::SurveyEnvelope
-            | PlanCommand::AssessAll
-            | PlanCommand::StopAssessing => self.assess(&command, context),
-            PlanCommand::TestAhead(on) => self.preferences.tests_ahead = on,
+            PlanCommand::Assess(ids) => {
+                let orders = self.assessments_of(ids, context.documents);
+                self.assessments.ask(orders);
+            }
+            PlanCommand::AssessSelected => {
+                let orders = self.assessments_of(*context.selection, context.documents);
+                self.assessments.ask(orders);
+            }
+            PlanCommand::AssessAll => {
+                let landmarks = context.documents.mission.landmarks.iter();
+                let ids = landmarks.filter(|l| l.enabled).map(|l| l.id);
+                let orders = self.assessments_of(ids, context.documents);
+                self.assessments.ask(orders);
+            }
+            PlanCommand::SurveyEnvelope => {
+                let orders = self.assessments_of(*context.selection, context.documents);
+                self.assessments.survey(orders.into_iter().next());
+            }
+            PlanCommand::StopAssessing => {
+                self.assessments.wants_stop = true;
+                self.preferences.tests_ahead = false;
+            }
             PlanCommand::Train(command) => self.train(command, context),
             PlanCommand::Rehearse(command) => self.rehearse(&command, context),
             PlanCommand::PrintBrief => self.ask_for_brief(context),
@@ -117,12 +122,67 @@ impl Planner {
                     context.document_changed();
                 }
             }
-            PlanCommand::ShowTab(tab) => self.tab = tab,
-            other => {
+            PlanCommand::AddWayPoint(_)
+            | PlanCommand::InsertWayPoint { .. }
+            | PlanCommand::MoveWayPoint { .. }
+            | PlanCommand::DeleteWayPoint(_)
+            | PlanCommand::SetAltitude { .. }
+            | PlanCommand::SetSpeed { .. }
+            | PlanCommand::SetAction { .. }
+            | PlanCommand::Reverse
+            | PlanCommand::Split
+            | PlanCommand::DuplicateRoute
+            | PlanCommand::DeleteRoute
+            | PlanCommand::RenameRoute { .. }
+            | PlanCommand::ToggleTakeOff
+            | PlanCommand::ToggleReturn
+            | PlanCommand::ToggleLanding
+            | PlanCommand::SetPattern { .. }
+            | PlanCommand::CorridorAlong
+            | PlanCommand::ReleasePattern => {
                 context.document_changed();
-                self.edit_route(other, context);
+                return self.edit_route(command, context);
             }
+            // Done above, or by nobody.
+            PlanCommand::EditLandmarks { .. }
+            | PlanCommand::DeleteLandmarks(_)
+            | PlanCommand::DuplicateLandmark
+            | PlanCommand::MarkLandmarks(_)
+            | PlanCommand::Suggest(_)
+            | PlanCommand::Mark(_)
+            | PlanCommand::AddCorner(_)
+            | PlanCommand::RemoveCorner
+            | PlanCommand::FinishMarking
+            | PlanCommand::CancelMarking
+            | PlanCommand::EditRally { .. }
+            | PlanCommand::DeleteRally(_)
+            | PlanCommand::SetLimit(_)
+            | PlanCommand::SetAircraft { .. }
+            | PlanCommand::SetWind(_)
+            | PlanCommand::ToggleProfile
+            | PlanCommand::TestAhead(_)
+            | PlanCommand::ShowTab(_) => return false,
         }
+        true
+    }
+
+    /// Takes note of what people prefer; gives back what is something else.
+    fn prefer(&mut self, command: PlanCommand) -> Option<PlanCommand> {
+        let preferences = &mut self.preferences;
+        match command {
+            PlanCommand::SetLimit(limit) => preferences.limit = limit,
+            PlanCommand::SetAircraft {
+                bank,
+                power,
+                energy,
+            } => (preferences.bank, preferences.power, preferences.energy) = (bank, power, energy),
+            PlanCommand::SetWind(wind) => preferences.wind = wind,
+            PlanCommand::ToggleProfile => preferences.profile = !preferences.profile,
+            PlanCommand::TestAhead(on) => preferences.tests_ahead = on,
+            PlanCommand::ShowTab(tab) => self.tab = tab,
+            other => return Some(other),
+        }
+        None
     }
 
     pub(super) fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {
@@ -156,7 +216,8 @@ impl Planner {
         context.document_changed();
     }
 
-    fn edit_route(&mut self, command: PlanCommand, context: &mut FeatureContext<'_>) {
+    /// Does something to the selected route, if there is one; false if the command is none of a route.
+    fn edit_route(&mut self, command: PlanCommand, context: &mut FeatureContext<'_>) -> bool {
         let documents = &mut *context.documents;
         if let PlanCommand::AddWayPoint(at) = &command {
             let at = at.unwrap_or(context.map.camera.center);
@@ -172,10 +233,10 @@ impl Planner {
                     Some(documents.add_route(None, vec![like(None, at, usual)]));
                 self.drawing = true;
             }
-            return;
+            return true;
         }
         let Some(id) = documents.mission.route else {
-            return;
+            return true;
         };
         match command {
             PlanCommand::DeleteRoute => {
@@ -223,12 +284,14 @@ impl Planner {
                 }
             }
             PlanCommand::InsertWayPoint { behind, .. } => {
-                documents.edit_route(id, step_of(&command), |r| change(r, &command));
+                documents.edit_route(id, step_of(&command), |route| {
+                    change(route, &command);
+                });
                 self.way_point = Some(behind + 1);
             }
             PlanCommand::DeleteWayPoint(which) => {
                 let Some(which) = which.or(self.way_point) else {
-                    return;
+                    return true;
                 };
                 let count = documents
                     .mission
@@ -236,7 +299,7 @@ impl Planner {
                     .map_or(0, |r| r.way_points.len());
                 if count <= 1 {
                     documents.delete_route(id);
-                    return;
+                    return true;
                 }
                 let command = PlanCommand::DeleteWayPoint(Some(which));
                 edit_as_high(id, &command, documents);
@@ -245,12 +308,15 @@ impl Planner {
             PlanCommand::Reverse => edit_as_high(id, &command, documents),
             other => {
                 let laid = self.laid_anew(&other, documents);
+                let mut is_of_route = true;
                 documents.edit_route(id, step_of(&other), |route| match laid {
                     Some(laid) => *route = laid,
-                    None => change(route, &other),
+                    None => is_of_route = change(route, &other),
                 });
+                return is_of_route;
             }
         }
+        true
     }
 
     /// The selected route after a command that sets the altitude or the speed of a pattern, whose passes are laid for them.
@@ -271,31 +337,16 @@ impl Planner {
         Some(laid)
     }
 
-    fn assess(&mut self, command: &PlanCommand, context: &FeatureContext<'_>) {
-        let documents = &*context.documents;
-        let ids: Vec<u32> = match command {
-            PlanCommand::Assess(ids) => ids.clone(),
-            PlanCommand::AssessSelected | PlanCommand::SurveyEnvelope => {
-                context.selection.iter().copied().collect()
-            }
-            PlanCommand::AssessAll => {
-                let landmarks = documents.mission.landmarks.iter();
-                landmarks.filter(|l| l.enabled).map(|l| l.id).collect()
-            }
-            _ => {
-                self.assessments.wants_stop = true;
-                self.preferences.tests_ahead = false;
-                return;
-            }
-        };
-        let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
+    /// Orders to measure landmarks.
+    fn assessments_of(
+        &self,
+        ids: impl IntoIterator<Item = u32>,
+        documents: &Documents,
+    ) -> Vec<AssessmentOrder> {
+        let ids = ids.into_iter();
+        let landmarks = ids.filter_map(|id| documents.mission.landmark(id));
         let orders = landmarks.map(|landmark| self.assessment(landmark, documents));
-        let orders: Vec<_> = orders.collect();
-        if *command == PlanCommand::SurveyEnvelope {
-            self.assessments.survey(orders.into_iter().next());
-        } else {
-            self.assessments.ask(orders);
-        }
+        orders.collect()
     }
 }
 
@@ -348,20 +399,24 @@ fn edit_as_high(id: u32, command: &PlanCommand, documents: &mut Documents) {
     }
 }
 
-/// Does to a route what a command says.
-fn change(route: &mut Route, command: &PlanCommand) {
+/// Does to a route what a command says; false if it says nothing of a route alone.
+fn change(route: &mut Route, command: &PlanCommand) -> bool {
     if ends_pattern(route, command) {
         Pattern::release(route);
     }
     match command {
+        // Nothing else than to be no pattern any more.
+        PlanCommand::AddWayPoint(_) | PlanCommand::ReleasePattern => {}
         PlanCommand::MoveWayPoint { index, to, .. } => {
             if let Some(way_point) = route.way_points.get_mut(*index) {
                 way_point.position = *to;
             }
         }
         PlanCommand::InsertWayPoint { behind, at, .. } => insert(route, *behind, *at),
-        PlanCommand::DeleteWayPoint(Some(index)) if *index < route.way_points.len() => {
-            route.way_points.remove(*index);
+        PlanCommand::DeleteWayPoint(which) => {
+            if let Some(index) = which.filter(|index| *index < route.way_points.len()) {
+                route.way_points.remove(index);
+            }
         }
         PlanCommand::SetAltitude {
             index, altitude, ..
@@ -383,8 +438,9 @@ fn change(route: &mut Route, command: &PlanCommand) {
         PlanCommand::ToggleReturn | PlanCommand::ToggleTakeOff | PlanCommand::ToggleLanding => {
             change_ends(route, command);
         }
-        _ => {}
+        _ => return false,
     }
+    true
 }
 
 fn insert(route: &mut Route, behind: usize, at: GroundPoint) {

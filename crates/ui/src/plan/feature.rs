@@ -38,20 +38,19 @@ impl Feature for Planner {
     }
 
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
-        let command = command.action::<PlanCommand>().cloned();
-        let is_known = command.is_some();
-        if let Some(command) = command {
-            // Undo in the same frame came first: the number is that of another way-point.
-            let is_of_before = self.counted != count(context.documents);
-            if is_of_before && matches!(command, PlanCommand::MoveWayPoint { .. }) {
-                return true;
-            }
-            self.carry_out(command, context);
-            if !is_of_before {
-                self.keep_count(context.documents);
-            }
+        let Some(command) = command.action::<PlanCommand>().cloned() else {
+            return false;
+        };
+        // Undo in the same frame came first: the number is that of another way-point.
+        let is_of_before = self.counted != count(context.documents);
+        if is_of_before && matches!(command, PlanCommand::MoveWayPoint { .. }) {
+            return true;
         }
-        is_known
+        let is_done = self.carry_out(command, context);
+        if !is_of_before {
+            self.keep_count(context.documents);
+        }
+        is_done
     }
 
     fn missing(
@@ -154,8 +153,8 @@ impl Feature for Planner {
         serde_json::to_string(&self.preferences).ok()
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
-        self.receive(job, &event, context);
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
+        self.receive(job, &event, context)
     }
 
     fn leave_map(&mut self, context: &mut FeatureContext<'_>) {

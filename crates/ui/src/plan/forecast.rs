@@ -149,7 +149,12 @@ impl Forecast {
     }
 
     /// Takes what a worker says; false if it is about something else.
-    pub fn receive(&mut self, id: JobId, event: &JobEvent, now: f64) -> bool {
+    pub fn receive(
+        &mut self,
+        id: JobId,
+        event: &JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
         let Some(asked) = self.asked.take_if(|asked| asked.id == id) else {
             return false;
         };
@@ -160,7 +165,8 @@ impl Forecast {
             } => {
                 let mut prediction = prediction.as_ref().clone();
                 prediction.mark(self.limit);
-                let took = now - asked.since;
+                context.wait_no_more(id);
+                let took = context.host.now() - asked.since;
                 if asked.order.worlds == COARSE {
                     self.coarse = Some((took, *computed));
                 }

@@ -160,7 +160,8 @@ impl Heat {
                 self.trouble = Some(why.clone());
                 self.forget_others();
             }
-            _ => {}
+            JobEvent::Cancelled => {}
+            _ => self.asked = Some(asked),
         }
         true
     }

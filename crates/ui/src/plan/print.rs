@@ -185,6 +185,7 @@ impl Planner {
         };
         match event {
             JobEvent::BriefPictures(pictures) => {
+                context.wait_no_more(id);
                 let documents = &*context.documents;
                 let is_of_now = documents.mission.selected_route() == Some(&asked.route)
                     && self.order(documents) == asked.order

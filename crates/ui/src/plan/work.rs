@@ -13,15 +13,14 @@ use pilotage_jobs::{JobEvent, JobId, MapSource};
 const LOOK_AGAIN: Duration = Duration::from_millis(60);
 
 impl Planner {
-    /// Takes what a worker says about the plan.
+    /// Takes what a worker says about the plan; false if nothing of it waits for that.
     pub(super) fn receive(
         &mut self,
         id: JobId,
         event: &JobEvent,
         context: &mut FeatureContext<'_>,
-    ) {
-        let now = context.host.now();
-        let _ = self.forecast.receive(id, event, now)
+    ) -> bool {
+        self.forecast.receive(id, event, context)
             || self.remedies.receive(id, event)
             || self.rehearsal.receive(id, event)
             || self.heat.receive(id, event)
@@ -31,7 +30,7 @@ impl Planner {
             || self.trainings.receive(id, event)
             || self.examined(id, event)
             || self.brief_event(id, event, context)
-            || self.assessments.receive(id, event);
+            || self.assessments.receive(id, event)
     }
 
     /// Asks the workers for what the plan is missing.

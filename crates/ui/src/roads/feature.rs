@@ -163,9 +163,15 @@ impl Roads {
                 let next = self.point.map_or(0, |point| point + 1);
                 self.point = road.map(|road| next % road.course.len().max(1));
             }
-            other => {
+            RoadCommand::MoveHere
+            | RoadCommand::Change { .. }
+            | RoadCommand::DeletePoint
+            | RoadCommand::Delete
+            | RoadCommand::Split
+            | RoadCommand::Join
+            | RoadCommand::JoinWith(_) => {
                 if let Some(road) = self.selected {
-                    self.edit(road, other, context);
+                    self.edit(road, command, context);
                 }
             }
         }
@@ -218,7 +224,14 @@ impl Roads {
                 other.is_some_and(|other| self.join(road, other, documents))
             }
             RoadCommand::JoinWith(other) => self.join(road, other, documents),
-            _ => false,
+            // Nothing about one road.
+            RoadCommand::Toggle
+            | RoadCommand::Draw
+            | RoadCommand::Add(_)
+            | RoadCommand::Back
+            | RoadCommand::Select(..)
+            | RoadCommand::Next
+            | RoadCommand::NextPoint => false,
         };
         if is_changed {
             Self::changed(context);

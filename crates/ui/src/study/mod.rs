@@ -161,13 +161,16 @@ impl Feature for StudyFeature {
         self.sheet.show(ui, context, self.study.as_ref(), documents);
     }
 
-    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
-        if self.reading.receive(job, &event, &mut self.sheet.draft) {
-            return;
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
+        let draft = &mut self.sheet.draft;
+        if self.reading.receive(job, &event, draft, context) {
+            return true;
         }
-        let Some(study) = &mut self.study else { return };
+        let Some(study) = &mut self.study else {
+            return false;
+        };
         if !study.receive(job, &event, context) {
-            return;
+            return false;
         }
         if !study.is_under_way()
             && let (Some(pace), flown) = (study.pace(), self.sheet.draft.flown_seconds())
@@ -177,6 +180,7 @@ impl Feature for StudyFeature {
             self.sheet.pace = Some(pace * plan.runs() as f64 / flown.max(1.0));
         }
         self.tell();
+        true
     }
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {

@@ -28,7 +28,9 @@ impl PlanReading {
             self.with = Some(Box::new(open.clone()));
             self.camera = camera.cloned();
             draft.read_again();
-            self.asked = None;
+            if let Some((before, _)) = self.asked.take() {
+                context.cancel(before);
+            }
         }
         let Some(text) = draft.unread() else { return };
         if self.asked.as_ref().is_some_and(|(_, asked)| asked == text) {
@@ -50,7 +52,13 @@ impl PlanReading {
     }
 
     /// Takes what a worker says; false if it is about something else.
-    pub fn receive(&mut self, id: JobId, event: &JobEvent, draft: &mut StudyDraft) -> bool {
+    pub fn receive(
+        &mut self,
+        id: JobId,
+        event: &JobEvent,
+        draft: &mut StudyDraft,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
         let asked = self.asked.as_ref();
         if asked.is_none_or(|(job, _)| *job != id) {
             return false;
@@ -60,6 +68,7 @@ impl PlanReading {
             JobEvent::Failed(why) => Err(why.clone()),
             _ => return true,
         };
+        context.wait_no_more(id);
         let asked = self.asked.take();
         if asked.is_some_and(|(_, text)| draft.unread() == Some(text.as_str())) {
             draft.take(read);

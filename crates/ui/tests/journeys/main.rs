@@ -33,6 +33,7 @@ mod narrow;
 mod open_map;
 mod open_run;
 mod outage;
+mod owners;
 mod palette;
 mod panels;
 mod photos;

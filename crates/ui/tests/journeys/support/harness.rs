@@ -132,8 +132,16 @@ impl Rig {
         self.frames(1);
     }
 
-    /// The app's state.
+    /// The app's state, in which no fault of the program is told.
     pub fn state(&self) -> Value {
+        let state = self.state_at_fault();
+        let toasts = state["toasts"].to_string();
+        assert!(!toasts.contains("a fault of the program"), "{toasts}");
+        state
+    }
+
+    /// The app's state, whatever it tells.
+    pub fn state_at_fault(&self) -> Value {
         let app = self.harness.state().app.as_ref().expect("drawn once");
         serde_json::from_str(&app.state_json()).expect("the app writes JSON")
     }

@@ -252,16 +252,18 @@ impl ScriptedHost {
         let mut runner = JobRunner::new(Abilities::WHOLE);
         let events = &mut self.events;
         let mut keep = |reply: Reply| {
-            // Through the bytes that the page would get.
-            if let Some(Reply::Event(id, event)) = Reply::from_bytes(&reply.to_bytes()) {
+            // Through the bytes that the page would get. What the job rests on was answered before.
+            if let Some(Reply::Event(of, event)) = Reply::from_bytes(&reply.to_bytes())
+                && of == id
+            {
                 events.push((id, event));
             }
         };
         // What the job rests on: its files, and the log that it asks of.
         let is_ground = |j: &Job| matches!(j, Job::Provide(_) | Job::ReadLog(_)) && j != job;
         let files = self.jobs.iter().filter(|(_, j)| is_ground(j));
-        for (id, job) in files.cloned().chain([(id, job.clone())]) {
-            runner.receive(Request::Start(id, job), &mut keep);
+        for (of, job) in files.cloned().chain([(id, job.clone())]) {
+            runner.receive(Request::Start(of, job), &mut keep);
             while runner.turn(&|| 0.0, &mut keep) {}
         }
     }
