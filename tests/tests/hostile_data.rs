@@ -111,12 +111,8 @@ fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
         (
             "airspeed stuck for a minute",
             |flight, t| {
-                change(
-                    flight,
-                    &[ChannelName::Airspeed],
-                    (t - 20.0, t + 40.0),
-                    |_, _| 11.0,
-                );
+                let minute = (t - 20.0, t + 40.0);
+                change(flight, &[ChannelName::Airspeed], minute, |_, _| 11.0);
             },
             None,
             "Airspeed is stuck",

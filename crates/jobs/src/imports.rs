@@ -238,7 +238,7 @@ mod tests {
     struct Huge;
 
     impl ByteSource for Huge {
-        fn name(&self) -> &str {
+        fn name(&self) -> &'static str {
             "country.osm.pbf"
         }
 

@@ -111,7 +111,10 @@ fn unless_interrupted<T: Send>(
     let mut interrupted = None;
     let done = py.detach(|| {
         let mut goes_on = || {
-            Python::attach(|py| py.check_signals()).map_err(|error| {
+            // A path to the method is of one lifetime only.
+            #[allow(clippy::redundant_closure_for_method_calls)]
+            let asked = Python::attach(|py| py.check_signals());
+            asked.map_err(|error| {
                 let words = error.to_string();
                 interrupted = Some(error);
                 words

@@ -160,10 +160,10 @@ fn put_bytes(letter: char, value: &DataflashValue, bytes: &mut Vec<u8>) {
         ('d', DataflashValue::Real(number)) => bytes.extend(number.to_le_bytes()),
         ('g', DataflashValue::Half(bits)) => bytes.extend(bits.to_le_bytes()),
         ('a', DataflashValue::Array(numbers)) => {
-            bytes.extend(numbers.iter().flat_map(|n| n.to_le_bytes()))
+            bytes.extend(numbers.iter().flat_map(|n| n.to_le_bytes()));
         }
         ('n' | 'N' | 'Z', DataflashValue::Text(text)) => {
-            bytes.extend(text.bytes().take(size(letter)))
+            bytes.extend(text.bytes().take(size(letter)));
         }
         (_, DataflashValue::Whole(number)) => bytes.extend(&number.to_le_bytes()[..size(letter)]),
         _ => panic!("the letter {letter} is not for {value:?}"),

@@ -48,7 +48,11 @@ fn values_beside_a_track_are_those_of_the_log_to_the_digit_or_computed_of_them()
     for i in 0..40_u64 {
         let (time, along) = (1_000_000 + 100_000 * i, 8.0 + i as f64 * 3e-5);
         let count = 40_000_000_000_001 * i;
-        log += &format!("CNT, {time}, {count}\nGPS, {time}, 3, 47.0, {along:.7}, 520, 20, 90\n");
+        let lines = [
+            format!("CNT, {time}, {count}"),
+            format!("GPS, {time}, 3, 47.0, {along:.7}, 520, 20, 90"),
+        ];
+        log.push_str(&(lines.join("\n") + "\n"));
     }
     folder.write("count.log", log);
     let written = |channel: &str| {

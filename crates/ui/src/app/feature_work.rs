@@ -472,7 +472,7 @@ mod tests {
 
     /// Every feature, and one that is none.
     fn owners() -> impl Iterator<Item = FeatureId> {
-        let all = crate::features::all();
+        let all = crate::features::FeatureTable::all();
         let all: Vec<_> = all.iter().map(|feature| feature.info().id).collect();
         all.into_iter().chain(["nobody"])
     }

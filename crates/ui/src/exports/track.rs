@@ -5,7 +5,7 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_jobs::{ExportOrder, TrackSeries};
 
 use crate::export_command::ExportedFile;
-use crate::feature::FeatureContext;
+use crate::feature::{Feature, FeatureContext};
 use crate::host::stem;
 
 /// File of where the filter thought the aircraft was, with the field beside it that colours the recorded track, and how
@@ -42,7 +42,7 @@ fn flown_track(context: &FeatureContext<'_>) -> Option<(FlownTrack, Option<Track
     let utc_at_zero = log.and_then(|log| log.utc_at_zero);
     let mut track = run.estimated_track(&flight.name, &frame, utc_at_zero);
     let mut others = context.others();
-    let beside = others.find_map(|it| it.series_along());
+    let beside = others.find_map(Feature::series_along);
     let beside = beside.map(|(what, along)| {
         track.values = Some(what);
         along

@@ -275,7 +275,7 @@ mod tests {
             size: (640, 480),
             boxes: [1, 2, 2]
                 .into_iter()
-                .filter(|id| number % id == 0)
+                .filter(|id| number.is_multiple_of(*id))
                 .filter_map(|id| LabelBox::new(id, "", [[10.0; 2], [60.0; 2]], (640, 480)))
                 .collect(),
             absent: vec![3, 3 + number % 2],

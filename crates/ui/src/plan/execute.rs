@@ -34,20 +34,13 @@ impl Planner {
         }
         let left = self.edit_landmarks(command, context);
         let left = left.and_then(|command| edit_rally_points(command, context));
+        let left = left.and_then(|command| self.measure(command, context));
         let Some(command) = left.and_then(|command| self.prefer(command)) else {
             return true;
         };
         match command {
             PlanCommand::ToggleDraw if self.drawing => self.finish_drawing(context),
-            PlanCommand::ToggleDraw => {
-                self.drawing = true;
-                self.finder.pick = FindPick::Nothing;
-                self.put_marking_away(context);
-                self.way_point = None;
-                context.documents.mission.route = None;
-                context.take_map();
-                *context.selection = None;
-            }
+            PlanCommand::ToggleDraw => self.begin_drawing(context),
             PlanCommand::FinishDraw => self.finish_drawing(context),
             PlanCommand::TakeFlightRoute => self.take_flight_route(context),
             PlanCommand::SelectRoute(id) => {
@@ -66,37 +59,10 @@ impl Planner {
                     .state_ground(height, EditStep::of(finished));
                 context.document_changed();
             }
-            PlanCommand::Assess(ids) => {
-                let orders = self.assessments_of(ids, context.documents);
-                self.assessments.ask(orders);
-            }
-            PlanCommand::AssessSelected => {
-                let orders = self.assessments_of(*context.selection, context.documents);
-                self.assessments.ask(orders);
-            }
-            PlanCommand::AssessAll => {
-                let landmarks = context.documents.mission.landmarks.iter();
-                let ids = landmarks.filter(|l| l.enabled).map(|l| l.id);
-                let orders = self.assessments_of(ids, context.documents);
-                self.assessments.ask(orders);
-            }
-            PlanCommand::SurveyEnvelope => {
-                let orders = self.assessments_of(*context.selection, context.documents);
-                self.assessments.survey(orders.into_iter().next());
-            }
-            PlanCommand::StopAssessing => {
-                self.assessments.wants_stop = true;
-                self.preferences.tests_ahead = false;
-            }
             PlanCommand::Train(command) => self.train(command, context),
             PlanCommand::Rehearse(command) => self.rehearse(&command, context),
             PlanCommand::PrintBrief => self.ask_for_brief(context),
-            PlanCommand::Heat(command) => {
-                if command == HeatCommand::ToggleBlind || command == HeatCommand::Toggle {
-                    self.tab = PlanTab::Ground;
-                }
-                self.heat_command(command);
-            }
+            PlanCommand::Heat(command) => self.show_heat(command),
             PlanCommand::EditArea {
                 index,
                 change,
@@ -111,17 +77,7 @@ impl Planner {
                     context.document_changed();
                 }
             }
-            PlanCommand::Find(command) => {
-                if matches!(command, FindCommand::Begin | FindCommand::Pick(_)) {
-                    self.tab = PlanTab::Ground;
-                    self.drawing = false;
-                    self.put_marking_away(context);
-                    context.take_map();
-                }
-                if self.find_command(command, context.documents) {
-                    context.document_changed();
-                }
-            }
+            PlanCommand::Find(command) => self.find(command, context),
             PlanCommand::AddWayPoint(_)
             | PlanCommand::InsertWayPoint { .. }
             | PlanCommand::MoveWayPoint { .. }
@@ -144,7 +100,12 @@ impl Planner {
                 return self.edit_route(command, context);
             }
             // Done above, or by nobody.
-            PlanCommand::EditLandmarks { .. }
+            PlanCommand::Assess(_)
+            | PlanCommand::AssessSelected
+            | PlanCommand::AssessAll
+            | PlanCommand::SurveyEnvelope
+            | PlanCommand::StopAssessing
+            | PlanCommand::EditLandmarks { .. }
             | PlanCommand::DeleteLandmarks(_)
             | PlanCommand::DuplicateLandmark
             | PlanCommand::MarkLandmarks(_)
@@ -164,6 +125,69 @@ impl Planner {
             | PlanCommand::ShowTab(_) => return false,
         }
         true
+    }
+
+    /// Measures landmarks; gives back what is something else.
+    fn measure(
+        &mut self,
+        command: PlanCommand,
+        context: &FeatureContext<'_>,
+    ) -> Option<PlanCommand> {
+        match command {
+            PlanCommand::Assess(ids) => {
+                let orders = self.assessments_of(ids, context.documents);
+                self.assessments.ask(orders);
+            }
+            PlanCommand::AssessSelected => {
+                let orders = self.assessments_of(*context.selection, context.documents);
+                self.assessments.ask(orders);
+            }
+            PlanCommand::AssessAll => {
+                let landmarks = context.documents.mission.landmarks.iter();
+                let ids = landmarks.filter(|l| l.enabled).map(|l| l.id);
+                let orders = self.assessments_of(ids, context.documents);
+                self.assessments.ask(orders);
+            }
+            PlanCommand::SurveyEnvelope => {
+                let orders = self.assessments_of(*context.selection, context.documents);
+                self.assessments.survey(orders.into_iter().next());
+            }
+            PlanCommand::StopAssessing => {
+                self.assessments.wants_stop = true;
+                self.preferences.tests_ahead = false;
+            }
+            other => return Some(other),
+        }
+        None
+    }
+
+    fn begin_drawing(&mut self, context: &mut FeatureContext<'_>) {
+        self.drawing = true;
+        self.finder.pick = FindPick::Nothing;
+        self.put_marking_away(context);
+        self.way_point = None;
+        context.documents.mission.route = None;
+        context.take_map();
+        *context.selection = None;
+    }
+
+    fn show_heat(&mut self, command: HeatCommand) {
+        if command == HeatCommand::ToggleBlind || command == HeatCommand::Toggle {
+            self.tab = PlanTab::Ground;
+        }
+        self.heat_command(command);
+    }
+
+    fn find(&mut self, command: FindCommand, context: &mut FeatureContext<'_>) {
+        if matches!(command, FindCommand::Begin | FindCommand::Pick(_)) {
+            self.tab = PlanTab::Ground;
+            self.drawing = false;
+            self.put_marking_away(context);
+            context.take_map();
+        }
+        if self.find_command(command, context.documents) {
+            context.document_changed();
+        }
     }
 
     /// Takes note of what people prefer; gives back what is something else.

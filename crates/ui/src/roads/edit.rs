@@ -9,17 +9,17 @@ use crate::documents::Documents;
 
 impl Documents {
     /// Adds a road of the usual width of its class, with a crossing where it has a point on another; its index.
-    pub fn add_road(&mut self, class: RoadClass, course: Vec<GroundPoint>) -> usize {
+    pub fn add_road(&mut self, class: RoadClass, course: &[GroundPoint]) -> usize {
         self.mission.remember();
         self.mission.is_edited = true;
         self.mission.roads.make_mut().push(RoadLine {
             class,
             width: class.usual_width(),
-            course: course.clone(),
+            course: course.to_vec(),
             ..RoadLine::default()
         });
         let index = self.mission.roads.len() - 1;
-        self.cross(&[index], &course);
+        self.cross(&[index], course);
         index
     }
 
@@ -168,7 +168,7 @@ mod tests {
     fn with_road(east: &[f64]) -> Documents {
         let mut documents = Documents::new(&Session::demo());
         documents.mission.roads = SharedRoads::default();
-        documents.add_road(RoadClass::Track, line(east));
+        documents.add_road(RoadClass::Track, &line(east));
         documents
     }
 
@@ -246,7 +246,7 @@ mod tests {
         let mut documents = with_road(&[0.0, 100.0]);
         let side = [GroundPoint::new(40.0, 30.0), GroundPoint::new(0.0, 30.0)];
         let before = documents.mission.history.depth();
-        documents.add_road(RoadClass::Track, side.to_vec());
+        documents.add_road(RoadClass::Track, &side);
         assert_eq!(crossings(&documents), 1);
         assert_eq!(documents.mission.history.depth().0, before.0 + 1);
         let points = alike(&documents.mission.roads, 1, 1);
@@ -266,7 +266,7 @@ mod tests {
     fn an_end_that_is_dragged_onto_a_piece_of_another_road_crosses_it_in_the_same_step() {
         let mut documents = with_road(&[0.0, 100.0]);
         let end = |north: f64| GroundPoint::new(north, 30.0);
-        documents.add_road(RoadClass::Track, vec![end(40.0), end(10.0)]);
+        documents.add_road(RoadClass::Track, &[end(40.0), end(10.0)]);
         for (north, is_over) in [(5.0, false), (0.0, false), (0.0, true)] {
             documents.move_road_points(&[(1, 1)], end(north), is_over);
         }

@@ -103,7 +103,7 @@ impl Roads {
             return;
         };
         if course.len() > 1 {
-            let road = context.documents.add_road(self.class, course);
+            let road = context.documents.add_road(self.class, &course);
             self.select(Some(road), None);
             Self::changed(context);
         }
@@ -164,6 +164,7 @@ impl Roads {
                 self.point = road.map(|road| next % road.course.len().max(1));
             }
             RoadCommand::MoveHere
+            | RoadCommand::Move { .. }
             | RoadCommand::Change { .. }
             | RoadCommand::DeletePoint
             | RoadCommand::Delete

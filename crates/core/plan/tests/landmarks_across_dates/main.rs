@@ -16,7 +16,7 @@ mod photos;
 
 use std::sync::Arc;
 
-use looks::{ELSEWHERE, Laid, Seen, TRACKING, Which, laid, look, tally};
+use looks::{ELSEWHERE, RegisteredPhotoTruth, Seen, TRACKING, Which, laid, look, tally};
 use photos::Site;
 use photos::studies::either;
 use pilotage_base::frames::{GroundRect, Pose};
@@ -42,7 +42,7 @@ fn map_of(site: &Site) -> Arc<dyn Imagery> {
 
 /// Candidates that the planner makes, after so many rehearsal days, of every place, half a side apart, that a
 /// photo shows whole.
-fn ranked(site: &Site, laid: &[Laid<'_>], days: usize) -> Vec<LandmarkCandidate> {
+fn ranked(site: &Site, laid: &[RegisteredPhotoTruth<'_>], days: usize) -> Vec<LandmarkCandidate> {
     let map = map_of(site);
     let mut all = Proposal::days(&PictureDays::new(Arc::clone(&map)), 1);
     all.truncate(days);
@@ -75,7 +75,7 @@ fn ranked(site: &Site, laid: &[Laid<'_>], days: usize) -> Vec<LandmarkCandidate>
     places.ranked()
 }
 
-fn frames(laid: &[Laid<'_>]) -> Vec<(f64, Pose)> {
+fn frames(laid: &[RegisteredPhotoTruth<'_>]) -> Vec<(f64, Pose)> {
     let times = (0..).map(|i| 10.0 * f64::from(i));
     times.zip(laid.iter().map(|l| l.pose)).collect()
 }
@@ -87,7 +87,12 @@ fn landmarks(bounds: impl Iterator<Item = GroundRect>) -> Vec<Landmark> {
         .collect()
 }
 
-fn looked(site: &Site, laid: &[Laid<'_>], landmarks: &[Landmark], seed: u64) -> Vec<Seen> {
+fn looked(
+    site: &Site,
+    laid: &[RegisteredPhotoTruth<'_>],
+    landmarks: &[Landmark],
+    seed: u64,
+) -> Vec<Seen> {
     let mut detector = TemplateDetector::new(map_of(site), detector());
     look(
         laid,
@@ -129,7 +134,7 @@ fn thirds(candidates: &[LandmarkCandidate], seen: &[Seen]) -> Vec<[f64; 4]> {
 
 /// Prints what is said of all boxes in every `each`-th photo of a site beside what is found; returns the thirds.
 fn reliability(name: &str, site: &Site, each: usize) -> Vec<[f64; 4]> {
-    let laid: Vec<Laid<'_>> = laid(site).into_iter().step_by(each).collect();
+    let laid: Vec<RegisteredPhotoTruth<'_>> = laid(site).into_iter().step_by(each).collect();
     // Look-alikes are the same on every day.
     let candidates = ranked(site, &laid, 2);
     let seen = looked(

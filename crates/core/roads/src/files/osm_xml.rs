@@ -37,7 +37,7 @@ fn go_through(text: &str, pass: OsmPass, data: &mut OsmData) -> Result<(), RoadF
                     }
                 }
                 "way" if pass == OsmPass::Ways => {
-                    way = (!is_deleted(&element)).then(OsmWay::default)
+                    way = (!is_deleted(&element)).then(OsmWay::default);
                 }
                 "nd" => {
                     if let (Some(way), Some(node)) = (&mut way, number(&element, "ref")) {

@@ -212,6 +212,6 @@ mod tests {
         assert!(highest(line()).iter().any(|at| at.y == 0.0));
         assert_eq!(highest(line()).len(), 9);
         let kept = apart(line());
-        assert!(kept.len() < 20 && kept.last() == line().last().as_ref());
+        assert!(kept.len() < 20 && kept.last() == line().next_back().as_ref());
     }
 }
