@@ -12,6 +12,7 @@ use pilotage_jobs::{BareMission, CalibrationOrder, FlyOrder, JobEvent, WorkerSta
 use serde::Serialize;
 
 use crate::CommandResult;
+use crate::filter_options;
 use crate::notes::{tell, told};
 use crate::numbers::above_zero;
 use crate::replaying::{flight_at, fly};
@@ -38,8 +39,8 @@ pub struct Arguments {
     /// Standard deviation of the camera's clock against the log's, seconds; three of them are searched.
     #[arg(long, default_value_t = 1.0, value_parser = above_zero)]
     clock: f64,
-    /// Changes to the filter, e.g. frame-height=50,acceleration=3.
-    #[arg(long, default_value = "")]
+    /// Changes to the filter, e.g. frame-height=50,acceleration=3; --help lists all keys.
+    #[arg(long, default_value = "", value_name = "KEY=VALUE,…", long_help = filter_options::help())]
     filter: String,
     /// File for what was found.
     #[arg(long)]
@@ -76,7 +77,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         },
         None => BareMission::of(&open.flight, &source).mission,
     };
-    crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
+    filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let lent = lent.with_flight(&open);
     let mut flight = open.flight;
     let believed = CameraPrior {

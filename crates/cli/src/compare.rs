@@ -10,6 +10,7 @@ use pilotage_core::study::{ComparisonRow, Contender, ContenderTally, EstimatorCo
 use pilotage_jobs::{BareMission, ContestOrder, FlightSource, JobEvent, MapSource};
 
 use crate::CommandResult;
+use crate::filter_options;
 use crate::mission_file::OpenMission;
 use crate::notes::{tell, told};
 use crate::replaying::flight_at;
@@ -45,8 +46,8 @@ pub struct Arguments {
     /// Map picture with its georeference beside it, if none lies in the folder.
     #[arg(long)]
     map: Option<PathBuf>,
-    /// Changes to the filter, e.g. alpha=0.5,particles=5000.
-    #[arg(long, default_value = "")]
+    /// Changes to the filter, e.g. alpha=0.5,particles=5000; --help lists all keys.
+    #[arg(long, default_value = "", value_name = "KEY=VALUE,…", long_help = filter_options::help())]
     filter: String,
     /// File for the table as JSON.
     #[arg(long)]
@@ -111,7 +112,7 @@ fn contest(
     map: &MapSource,
     lent: &Lent,
 ) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
-    crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
+    filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let contenders = contenders(arguments, mission.navigator.vehicle)?;
     let seeds: Vec<u64> = flights.iter().map(FlightSource::estimator_seed).collect();
     let order = |flight| {

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::export_track::{FlownWhere, write_estimate};
+use crate::filter_options;
 use crate::mission_file::OpenMission;
 use crate::notes::{learned_from, tell, told};
 use crate::numbers::above_zero;
@@ -68,8 +69,9 @@ pub struct Arguments {
     /// a map also by what the pictures show.
     #[arg(long, value_name = "SECONDS", value_parser = above_zero, conflicts_with = "seeds")]
     outage: Option<f64>,
-    /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind,gps-velocity=true,gps-velocity.noise=0.4.
-    #[arg(long, default_value = "")]
+    /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind,gps-velocity=true,gps-velocity.noise=0.4; --help
+    /// lists all keys.
+    #[arg(long, default_value = "", value_name = "KEY=VALUE,…", long_help = filter_options::help())]
     filter: String,
     /// File for the run.
     #[arg(long, conflicts_with = "seeds")]
@@ -141,7 +143,7 @@ fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandR
         Some(path) => OpenMission::read(path)?.package.mission,
         None => choice.mission().ok_or("this flight has no mission")?,
     };
-    crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
+    filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let lent = ground_of(choice, arguments.day);
     let Some(seeds) = &arguments.seeds else {
         return replay_seed(choice, &mission, &lent, arguments);

@@ -1,10 +1,20 @@
 //! `--filter key=value,…`: changes to the navigator's settings.
 
-use pilotage_core::landmark::TemplateFeatures;
-use pilotage_core::navigator::{
-    AidInfo, ChosenAid, EstimatorChoice, NavigatorSettings, VehicleChoice,
-};
-use pilotage_core::registration::FollowSettings;
+use pilotage_core::navigator::{AidInfo, ChosenAid, NavigatorSettings};
+
+use super::filter_keys::{FilterChange, KEYS, keys_in_words};
+
+/// Explanation of `--filter` for the long help of a command, with all keys.
+///
+/// ```
+/// assert!(pilotage_disk::filter_options::help().contains("tilt-bias (°)"));
+/// ```
+pub fn help() -> String {
+    format!(
+        "Changes to the filter: KEY=VALUE, separated by commas. Keys are {}",
+        keys_in_words()
+    )
+}
 
 /// Applies `key=value` changes, separated by commas.
 ///
@@ -48,69 +58,21 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
             .parse::<bool>()
             .map_err(|_| format!("--filter {key}: say true or false"))
     };
-    match key {
-        "vehicle" => {
-            settings.vehicle =
-                VehicleChoice::from_key(value).map_err(|e| format!("--filter vehicle: {e}"))?;
-        }
-        "estimator" => {
-            settings.estimator.choice = EstimatorChoice::from_key(value).ok_or_else(|| {
-                let keys = EstimatorChoice::ALL.map(EstimatorChoice::key);
-                format!("--filter estimator: there are {}", keys.join(", "))
-            })?;
-        }
-        "particles" => settings.estimator.particles.count = number()? as usize,
-        "alpha" => settings.alpha = number()?,
-        "beta" => settings.beta = number()?,
-        "redraw" => settings.redraw = switch()?,
-        "gate" => settings.gate_confidence = number()?,
-        "scale" => settings.measurement_scale = number()?,
-        "thesis-q" => settings.process.thesis_per_step = switch()?,
-        "wind" => settings.process.wind = number()?,
-        "gust" => settings.process.gust = number()?,
-        "gust-per-wind" => settings.process.gust_per_wind = number()?,
-        "gust-time" => settings.process.gust_time = number()?,
-        "airspeed" => settings.process.airspeed = number()?,
-        "heading" => settings.process.heading = number()?,
-        "position" => settings.process.position = number()?,
-        "acceleration" => settings.process.acceleration = number()?,
-        "drag" => settings.process.drag = number()?,
-        "velocity" => settings.process.velocity = number()?,
-        "roll" => settings.sensors.roll = number()?.to_radians(),
-        "pitch" => settings.sensors.pitch = number()?.to_radians(),
-        "yaw" => settings.sensors.yaw = number()?.to_radians(),
-        "height" => settings.sensors.height = number()?,
-        "tilt-bias" => settings.sensors.tilt_bias = number()?.to_radians(),
-        "yaw-bias" => settings.sensors.yaw_bias = number()?.to_radians(),
-        "height-bias" => settings.sensors.height_bias = number()?,
-        "pixel" => settings.sensors.pixel = number()?,
-        "ground" => settings.sensors.ground = number()?,
-        "features" => {
-            settings.detector.features = TemplateFeatures::named(value).ok_or_else(|| {
-                let keys = TemplateFeatures::ALL.map(TemplateFeatures::key);
-                format!("--filter features: there are {}", keys.join(", "))
-            })?;
-        }
-        "map-deviation" => settings.detector.map_deviation = number()?,
-        "score" => settings.detector.least_score = number()?,
-        "ambiguity" => settings.detector.greatest_ambiguity = number()?,
-        "shortest-step" => settings.shortest_step = number()?,
-        "start" => settings.start.position = number()?,
-        "whole-frames" => {
-            settings.whole_frames = switch()?.then(|| settings.whole_frames.unwrap_or_default());
-        }
-        "frame-height" => {
+    let Some(line) = KEYS.iter().find(|line| line.key == key) else {
+        return set_aid(settings, key, switch, number);
+    };
+    match line.change {
+        FilterChange::Number(set) => set(settings, number()?),
+        FilterChange::Limit(set) => set(settings, limit()?),
+        FilterChange::Height(set) => {
             let above = Some(limit()?).filter(|height| *height > 0.0);
-            frames(settings).height = above
-                .ok_or_else(|| format!("--filter {key}: \"{value}\" is not above the ground"))?;
+            let below = || format!("--filter {key}: \"{value}\" is not above the ground");
+            set(settings, above.ok_or_else(below)?);
         }
-        "frame-within" => frames(settings).farthest = Some(limit()?),
-        "frame-heading-within" => frames(settings).limit_heading(limit()?.to_radians()),
-        "frame-height-within" => frames(settings).limit_height(0.01 * limit()?),
-        "map-accuracy" => frames(settings).map_deviation = limit()?,
-        "estimate-height" => settings.estimates_height = switch()?,
-        "start-wind" => settings.start.wind = number()?,
-        _ => return set_aid(settings, key, switch, number),
+        FilterChange::Switch(set) => set(settings, switch()?),
+        FilterChange::Word(set) => {
+            set(settings, value).map_err(|why| format!("--filter {key}: {why}"))?;
+        }
     }
     Ok(())
 }
@@ -123,8 +85,11 @@ fn set_aid(
     number: impl Fn() -> Result<f64, String>,
 ) -> Result<(), String> {
     let (name, number_name) = key.split_once('.').unwrap_or((key, ""));
-    let info =
-        AidInfo::named(name).map_err(|_| format!("--filter: there is no setting \"{key}\""))?;
+    let unknown = |_| {
+        let keys = keys_in_words();
+        format!("--filter: there is no setting \"{key}\"; there are {keys}")
+    };
+    let info = AidInfo::named(name).map_err(unknown)?;
     let known = settings.aids.iter().position(|aid| aid.key == name);
     let mut aid = known.map_or_else(
         || ChosenAid::usual(name),
@@ -144,14 +109,42 @@ fn set_aid(
     Ok(())
 }
 
-/// Assumptions about whole frames, which are laid from now on.
-fn frames(settings: &mut NavigatorSettings) -> &mut FollowSettings {
-    settings.whole_frames.get_or_insert_default()
-}
-
 #[cfg(test)]
 mod tests {
+    use pilotage_core::landmark::TemplateFeatures;
+    use pilotage_core::navigator::VehicleChoice;
+
     use super::*;
+
+    #[test]
+    fn whoever_writes_a_key_wrong_is_told_all_keys_with_their_units_and_all_aids_with_their_numbers()
+     {
+        let told = apply(&mut NavigatorSettings::default(), "gats=0.9").unwrap_err();
+        for line in &KEYS {
+            assert!(told.contains(&format!(" {}", line.key)), "{}", line.key);
+        }
+        for info in AidInfo::ALL {
+            assert!(told.contains(info.key), "{}", info.key);
+            for number in info.numbers {
+                assert!(told.contains(&format!(".{}", number.key)), "{}", number.key);
+            }
+        }
+        assert!(
+            told.contains("roll (°)") && told.contains("\"gats\""),
+            "{told}"
+        );
+        let of_aid = apply(&mut NavigatorSettings::default(), "gps-velocity.colour=1").unwrap_err();
+        assert!(of_aid.contains("noise"), "{of_aid}");
+    }
+
+    #[test]
+    fn a_key_stands_once_in_the_table_and_is_no_name_of_an_aid() {
+        for line in &KEYS {
+            let same = KEYS.iter().filter(|other| other.key == line.key);
+            assert_eq!(same.count(), 1, "{}", line.key);
+            assert!(AidInfo::named(line.key).is_err(), "{}", line.key);
+        }
+    }
 
     #[test]
     fn settings_change_by_name_and_unknown_names_are_refused() {

@@ -2,6 +2,7 @@
 //! processors.
 
 pub mod files;
+mod filter_keys;
 pub mod filter_options;
 pub mod landmarks;
 pub mod maps;

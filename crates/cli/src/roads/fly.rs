@@ -22,8 +22,8 @@ pub struct Arguments {
     /// Day on which the camera sees the ground.
     #[arg(long, value_enum, default_value_t = DayChoice::Other)]
     day: DayChoice,
-    /// Changes to the filter, e.g. roads.map=1.
-    #[arg(long, default_value = "")]
+    /// Changes to the filter, e.g. roads.map=1; --help lists all keys.
+    #[arg(long, default_value = "", value_name = "KEY=VALUE,…", long_help = filter_options::help())]
     filter: String,
     /// File for the table as JSON.
     #[arg(long)]

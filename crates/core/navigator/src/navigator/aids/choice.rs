@@ -38,7 +38,12 @@ impl AidInfo {
         for (name, value) in &chosen.numbers {
             let (key, number) = (self.key.to_owned(), name.clone());
             let Some(index) = self.numbers.iter().position(|n| n.key == name) else {
-                return Err(AidError::UnknownNumber { key, number });
+                let known: Vec<&str> = self.numbers.iter().map(|number| number.key).collect();
+                let known = match &known[..] {
+                    [] => "none".to_owned(),
+                    known => known.join(", "),
+                };
+                return Err(AidError::UnknownNumber { key, number, known });
             };
             if !(value.is_finite() && *value > 0.0) {
                 let value = value.to_string();

@@ -12,12 +12,14 @@ pub enum AidError {
         known: String,
     },
     /// The aid has no such number.
-    #[error("the aid \"{key}\" has no number \"{number}\"; leave it out")]
+    #[error("the aid \"{key}\" has no number \"{number}\"; it has {known}")]
     UnknownNumber {
         /// Name of the aid.
         key: String,
         /// Name of the number.
         number: String,
+        /// Names of those that it has.
+        known: String,
     },
     /// A number that is none, or below zero.
     #[error("the aid \"{key}\" cannot have {number} = {value}; say a number above zero")]
