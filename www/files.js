@@ -7,10 +7,11 @@ const LARGE = 4 << 20;
 const MANY = 16 << 20;
 /** Most bytes of a file that is not read by pieces: LARGEST_WHOLE of the workers. */
 const WHOLE = 1 << 30;
-const MAPS = /\.(tiff?|pmtiles|hgt)$/i;
+/** Maps, and films of GoPro in all directions: their places are read, nobody decodes them. */
+const PIECES = /\.(tiff?|pmtiles|hgt|360)$/i;
 /** Endings of logs, as the program names them on the page once it is there. */
 const logs = () => document.getElementById("logs").textContent.split(", ");
-const isReadByPieces = (path) => MAPS.test(path) || logs().some((ending) => path.toLowerCase().endsWith(ending));
+const isReadByPieces = (path) => PIECES.test(path) || logs().some((ending) => path.toLowerCase().endsWith(ending));
 
 /** Titles and texts of what was not read, one for each cause, however many files it kept away. */
 export function inWords(unread) {

@@ -1,6 +1,6 @@
 // Frames of a film, taken by the browser's own decoder: JPEG files and a table of their times.
 
-const FILM = /\.(mp4|m4v|mov|webm|mkv)$/i;
+const FILM = /\.(mp4|m4v|mov|webm|mkv)$/i; // the program's advice on films names these
 /** Seconds between two frames, and how many frames are taken of a film at most. */
 const INTERVAL = 0.5, MOST = 1200;
 /** Milliseconds to wait for a frame before the film counts as unreadable. */

@@ -26,6 +26,9 @@ pub(super) const fn kind(what: &'static str, advice: &'static str) -> Foreign {
 pub(super) const UNPACK: &str = "unpack it and open what is in it";
 pub(super) const LOG: &str = "open the log of its flight";
 pub(super) const FILM: &str = "open it in the page beside the log of its flight; places in films are read of GoPro alone (MP4, MOV, 360), of others make a CSV (ExifTool)";
+/// Of films of kinds that the page does not take.
+pub(super) const OTHER_FILM: &str =
+    "convert it to MP4 (H.264) and open that in the page beside the log of its flight";
 pub(super) const PHOTO: &str =
     "put it into a folder with the other photos of the flight and open that";
 pub(super) const JPEG: &str = "save it as JPEG and open its folder";

@@ -144,6 +144,41 @@ mod tests {
         }
     }
 
+    /// Endings that a regular expression of a script of the page lists: `const NAME = /\.(mp4|mov)$/i`.
+    fn endings_in<'s>(script: &'s str, name: &str) -> Vec<&'s str> {
+        let list = script.split_once(&format!("const {name} = /\\.("));
+        let list = list.and_then(|(_, list)| list.split_once(")$/i"));
+        list.expect("a list of endings").0.split('|').collect()
+    }
+
+    #[test]
+    fn a_film_that_the_page_does_not_take_is_to_be_converted_to_one_that_it_takes() {
+        let decoded = endings_in(include_str!("../../../../../www/video.js"), "FILM");
+        let by_pieces = endings_in(include_str!("../../../../../www/files.js"), "PIECES");
+        for ending in crate::gpmf::FILMS {
+            assert!(
+                decoded.contains(&ending) || by_pieces.contains(&ending),
+                "{ending}"
+            );
+        }
+        assert!(decoded.contains(&"mp4"), "{decoded:?}");
+        let taken = |head: &[u8]| {
+            let found = foreign_file(&MemoryBytes::new("a", head)).expect("a film");
+            !found.sentence("a").contains("Convert it to MP4")
+        };
+        for other in [
+            &b"RIFF\xf0\0\0\0AVI LIST"[..],
+            b"FLV\x01\x05\0\0\0\x09",
+            b"\0\0\x01\xba\x44\0\x04\0",
+            b"\0\0\0\x01\x67\x42\0\x1e",
+        ] {
+            assert!(!taken(other), "{other:?}");
+        }
+        for film in [&b"\0\0\0\x18ftypmp42"[..], b"\x1a\x45\xdf\xa3\x9f\x42"] {
+            assert!(taken(film), "{film:?}");
+        }
+    }
+
     #[test]
     fn what_is_not_known_has_no_name_and_names_nothing_wrongly() {
         for head in [

@@ -1,6 +1,6 @@
 //! Files that no fixed bytes or words tell, but the shape of their contents.
 
-use super::kind::{CONVERT, FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{CONVERT, Foreign, LOG, OTHER_FILM, TO_CSV, TO_GEOJSON, kind};
 use super::words::PARAMETERS;
 
 /// Shape of bytes or of lines, and the kind that they are then.
@@ -43,7 +43,10 @@ pub(super) fn of_bytes(head: &[u8], length: u64) -> Option<Foreign> {
                 "save it as PNG and open that as a map, with a world file beside it",
             ),
         ),
-        (is_stream, kind("a film (MPEG transport stream)", FILM)),
+        (
+            is_stream,
+            kind("a film (MPEG transport stream)", OTHER_FILM),
+        ),
         (is_dbase, kind("the table of a shapefile (.dbf)", TO_CSV)),
         (
             are_tomtom_places,

@@ -1,8 +1,8 @@
 //! Bytes at a place that tell what a file is, one kind a line.
 
 use super::kind::{
-    CONVERT, FILM, Foreign, JPEG, LOG, MODEL, PHOTO, ROADS, SHAPE, TO_CSV, TO_GEOJSON, TO_MCAP,
-    UNPACK, kind,
+    CONVERT, FILM, Foreign, JPEG, LOG, MODEL, OTHER_FILM, PHOTO, ROADS, SHAPE, TO_CSV, TO_GEOJSON,
+    TO_MCAP, UNPACK, kind,
 };
 
 /// Bytes at a place of a file that tell what it is.
@@ -123,16 +123,16 @@ const MARKS: &[FileSignature] = &[
     mark(&[0xc5, 0xd0, 0xd3, 0xc6], "a drawing (EPS)", WORLD_OF),
     mark(b"PMTiles", "a map of tiles (PMTiles)", MAP),
     // Films and sounds.
-    riff(b"AVI ", "a film (AVI)", FILM),
+    riff(b"AVI ", "a film (AVI)", OTHER_FILM),
     riff(b"WAVE", "a sound recording", LOG),
     mark_at(4, b"moov", "a film (MOV)", FILM),
     mark_at(4, b"mdat", "a film (MOV) whose end is missing or comes late", FILM),
     mark(&[0x1a, 0x45, 0xdf, 0xa3], "a film (Matroska or WebM)", FILM),
-    mark(b"FLV\x01", "a film (Flash)", FILM),
-    mark(&[0x30, 0x26, 0xb2, 0x75, 0x8e, 0x66, 0xcf, 0x11], "a film or sound of Windows (ASF, WMV)", FILM),
-    mark(&[0, 0, 1, 0xba], "a film (MPEG)", FILM),
-    mark(&[0, 0, 0, 1, 0x67], "a film without its frame (H.264)", FILM),
-    mark(&[0, 0, 0, 1, 0x40, 1], "a film without its frame (H.265)", FILM),
+    mark(b"FLV\x01", "a film (Flash)", OTHER_FILM),
+    mark(&[0x30, 0x26, 0xb2, 0x75, 0x8e, 0x66, 0xcf, 0x11], "a film or sound of Windows (ASF, WMV)", OTHER_FILM),
+    mark(&[0, 0, 1, 0xba], "a film (MPEG)", OTHER_FILM),
+    mark(&[0, 0, 0, 1, 0x67], "a film without its frame (H.264)", OTHER_FILM),
+    mark(&[0, 0, 0, 1, 0x40, 1], "a film without its frame (H.265)", OTHER_FILM),
     mark(b"OggS\0", "a sound or film (Ogg)", LOG),
     mark(b"fLaC\0", "a sound recording (FLAC)", LOG),
     mark(b"ID3\x03", "a sound recording (MP3)", LOG),
