@@ -200,8 +200,9 @@ pub struct SensorNoise {
     /// every frame and from every height.
     #[serde(default)]
     pub ground: f64,
-    /// Part of roll's and of pitch's deviation that stays the same over a flight, radians each: two states of the filter,
-    /// where neither the map's error nor the height is one.
+    /// Part of roll's and of pitch's deviation that stays the same over a flight, radians each: two states of the filter
+    /// where the height is none, and where the map's error is none either, or whole frames are laid that are taken to be
+    /// tilted by less.
     #[serde(default)]
     pub tilt_bias: f64,
     /// The same of yaw, radians: a vehicle model that estimates the heading's bias knows it already.
