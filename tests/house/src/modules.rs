@@ -354,7 +354,7 @@ mod tests {
 
     #[test]
     fn a_list_that_declares_its_files_brings_in_what_it_says() {
-        let list = "orders! { small {} whole { B: pub use b::B; Other(Box<C>); } }";
+        let list = "orders! { small {} whole { Do: pub use b::B; Other(Box<C>); } }";
         let found = arrows(&[
             ("lib.rs", list),
             ("b.rs", "pub struct B;"),
