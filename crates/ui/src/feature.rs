@@ -1,5 +1,5 @@
 //! Features: parts of the app with a panel, commands, jobs and a layer on the map of their own. The app holds a list
-//! of them and knows none by name; a new one is a folder and a line in `features.rs`.
+//! of them and knows none by name; a new one is a folder and a line in `lib.rs`.
 
 use egui::{Rect, Ui};
 use pilotage_core::exchange::FlownValues;
