@@ -97,4 +97,5 @@ formats! {
     GeoJson(geojson),
     /// Tables with a header.
     Csv(csv_write),
+    Toy(toy),
 }
