@@ -97,5 +97,4 @@ formats! {
     GeoJson(geojson),
     /// Tables with a header.
     Csv(csv_write),
-    Toy(toy),
 }
