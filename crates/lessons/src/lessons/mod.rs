@@ -24,6 +24,7 @@ courses! {
         how_well_known,
         several_landmarks,
         look_from_above,
+        toy,
     }
     "the-filter" {
         gaussian_by_hand,
