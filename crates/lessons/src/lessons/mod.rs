@@ -24,7 +24,6 @@ courses! {
         how_well_known,
         several_landmarks,
         look_from_above,
-        toy,
     }
     "the-filter" {
         gaussian_by_hand,
