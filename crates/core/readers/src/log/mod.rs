@@ -58,5 +58,4 @@ log_formats! {
     ulog { Ulog("PX4 ULog", ".ulg", INFO), }
     mcap { Mcap("MCAP", ".mcap", INFO), }
     tlog { Tlog("MAVLink telemetry log", ".tlog", INFO), }
-    toy { Toy("Toy log", ".toy", INFO), }
 }
