@@ -143,10 +143,18 @@ pub fn format_all() -> Result<(), Failure> {
 fn run_rustfmt(options: &[&str]) -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
     let mut format = cargo(&["fmt", "--all", "--"]);
-    run(
+    let formatted = run(
         format.args(options).args(declared_by_macros()?),
         CARGO_ADVICE,
-    )
+    );
+    formatted.map_err(|failure| match failure {
+        // The command names more than a hundred files.
+        Failure::Command { status, .. } => Failure::Command {
+            command: "cargo fmt --all -- FILES OF TABLES".to_owned(),
+            status,
+        },
+        other => other,
+    })
 }
 
 /// No lint has anything to say about anything built natively. Where nobody sits at the terminal, what the tests are
