@@ -16,9 +16,9 @@ use std::{
 };
 
 use crate::{
+    built,
     failure::Failure,
     page_form::has_own_form,
-    places,
     process::{CARGO_ADVICE, capture, cargo, is_automatic, program, run, succeed, succeeds},
 };
 
@@ -37,7 +37,7 @@ pub enum CompilerPass {
 impl CompilerPass {
     /// Folder of the texts that it says of each crate.
     fn folder(self) -> PathBuf {
-        places::target().join(match self {
+        built::target().join(match self {
             Self::Documentation => "documented",
             Self::PageLints => "linted-page",
         })
@@ -83,7 +83,7 @@ pub fn take_place(cargo: &mut Command) -> Result<(), Failure> {
         let own = std::env::current_exe().map_err(Failure::file("this program"))?;
         cargo.env("RUSTC_WORKSPACE_WRAPPER", own);
         // Asking cargo where that is takes longer than some crates.
-        cargo.env("CARGO_TARGET_DIR", places::target());
+        cargo.env("CARGO_TARGET_DIR", built::target());
         cargo.env(LINTER, linter()?);
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! Build, serve, pack and test, without a tool to install: `cargo xtask COMMAND`.
 
 mod arguments;
+mod built;
 mod compiler;
 mod failure;
 mod metadata;
@@ -84,7 +85,7 @@ fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
         }
         Some("first-seconds") => {
             arguments.finish()?;
-            let dist = places::page_under_test();
+            let dist = built::page_under_test();
             page::build(page::Profile::Quick, &dist)?;
             test::store_first_seconds(&dist)?;
             Ok(ExitCode::SUCCESS)

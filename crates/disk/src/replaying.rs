@@ -186,7 +186,7 @@ pub struct ReplayedSimulation {
     pub run: Run,
 }
 
-/// Whether a flight shall be navigated further: the refusal in words if not.
+/// Question whether a flight shall be navigated further: the refusal in words if not.
 pub type GoesOn<'a> = &'a mut dyn FnMut() -> Result<(), String>;
 
 /// Flies in a built-in world and navigates by a mission over its map, as long as `goes_on`, which is asked after every few

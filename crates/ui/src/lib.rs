@@ -12,6 +12,7 @@ pub mod explanations;
 pub mod export_command;
 pub mod feature;
 pub mod feature_command;
+pub mod feature_wishes;
 pub mod host;
 pub mod job_owners;
 pub mod kept_mesh;

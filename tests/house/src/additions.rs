@@ -13,7 +13,7 @@ use crate::{
 
 /// A table whose macro declares the modules of its entries.
 #[derive(Debug, Clone, Copy)]
-pub struct Table {
+pub struct EntryTable {
     /// Folder of the crate's sources, relative to the root of the repository.
     pub sources: &'static str,
     /// Folder in it that has the table in its own file; empty for the root.
@@ -25,56 +25,56 @@ pub struct Table {
 }
 
 /// Every table to which people add.
-pub const TABLES: [Table; 9] = [
-    Table {
+pub const TABLES: [EntryTable; 9] = [
+    EntryTable {
         sources: "crates/core/estimation/src",
         folder: "estimator",
         call: "estimators",
         variants: Some(("EstimatorChoice", "crates")),
     },
-    Table {
+    EntryTable {
         sources: "crates/core/mission/src",
         folder: "exchange",
         call: "formats",
         variants: Some(("Format", "crates")),
     },
-    Table {
+    EntryTable {
         sources: "crates/core/navigator/src",
         folder: "navigator/aids",
         call: "aids",
         variants: None,
     },
-    Table {
+    EntryTable {
         sources: "crates/core/readers/src",
         folder: "log",
         call: "log_formats",
         variants: Some(("LogFormat", "crates")),
     },
-    Table {
+    EntryTable {
         sources: "crates/core/simulate/src",
         folder: "simulate",
         call: "worlds",
         variants: None,
     },
-    Table {
+    EntryTable {
         sources: "crates/jobs/src",
         folder: "",
         call: "orders",
         variants: Some(("Job", "crates/jobs/src")),
     },
-    Table {
+    EntryTable {
         sources: "crates/lessons/src",
         folder: "lessons",
         call: "courses",
         variants: None,
     },
-    Table {
+    EntryTable {
         sources: "crates/ui/src",
         folder: "",
         call: "features",
         variants: None,
     },
-    Table {
+    EntryTable {
         sources: "crates/ui/src",
         folder: "learn/lessons",
         call: "lessons",
@@ -130,7 +130,7 @@ pub const LEFT: [Named; 31] = [
     ("features", "web_map", 2),
 ];
 
-impl Table {
+impl EntryTable {
     /// The entries of the table among `sources`, those of its crate.
     pub fn entries(&self, sources: &[Source]) -> Vec<Entry> {
         let beside: BTreeSet<&str> = sources
@@ -245,7 +245,7 @@ fn flatten(tokens: &[TokenTree], words: &mut Vec<String>) {
 /// `sources` are those of the table's crate, `others` those of all crates by their path in the repository; both
 /// without test files.
 pub fn named_elsewhere(
-    table: &Table,
+    table: &EntryTable,
     sources: &[Source],
     others: &[Source],
 ) -> BTreeMap<String, BTreeSet<String>> {
@@ -307,7 +307,7 @@ pub fn named_elsewhere(
 
 /// Entries of `table` that more files name than `left` allows.
 pub fn dear_additions(
-    table: &Table,
+    table: &EntryTable,
     named: &BTreeMap<String, BTreeSet<String>>,
     left: &[Named],
 ) -> Vec<Violation> {
@@ -335,7 +335,7 @@ pub fn dear_additions(
 
 /// Those in `left` that fewer files name by now: write the smaller number down, or take them off the list.
 pub fn cheaper_by_now(
-    table: &Table,
+    table: &EntryTable,
     named: &BTreeMap<String, BTreeSet<String>>,
     left: &[Named],
 ) -> Vec<(&'static str, usize)> {
@@ -351,7 +351,7 @@ mod tests {
     use super::*;
     use crate::sources::made_of;
 
-    const TABLE: Table = Table {
+    const TABLE: EntryTable = EntryTable {
         sources: "house/src",
         folder: "formats",
         call: "formats",

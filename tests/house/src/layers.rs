@@ -157,6 +157,7 @@ const UI: FolderOrder = FolderOrder {
         "views",
         "documents",
         "map",
+        "feature_wishes",
         "feature",
         "explanations",
         // Features on which others stand.

@@ -11,7 +11,7 @@ use super::{
     never_called,
     profile::{PROGRAMS, Profile, module_name},
 };
-use crate::{compiler, failure::Failure, places, process, progress::step};
+use crate::{built, compiler, failure::Failure, places, process, progress::step};
 
 /// The target of the page.
 pub const TARGET: &str = "wasm32-unknown-unknown";
@@ -57,7 +57,7 @@ pub fn compile(profile: Profile) -> Result<(), Failure> {
 /// The program of a package as the compiler leaves it, with its names.
 pub fn module(profile: Profile, package: &str) -> PathBuf {
     let name = module_name(package);
-    let folder = places::target()
+    let folder = built::target()
         .join(TARGET)
         .join(profile.of_program(package));
     folder.join(format!("{name}.wasm"))

@@ -8,6 +8,7 @@ use std::{
 
 use super::{install, linted::native_cargo};
 use crate::{
+    built,
     failure::Failure,
     places,
     process::{capture, on_path, program, run},
@@ -42,7 +43,7 @@ pub fn check(dist: &Path, tags: Option<&[String]>, is_flown: bool) -> Result<(),
             .env("PILOTAGE_PAGE", dist)
             .env("PILOTAGE_RUN", demo)
             .env("PILOTAGE_TAGS", tags.unwrap_or_default().join(","))
-            .env("PILOTAGE_SCREENSHOTS", places::target().join("screenshots")),
+            .env("PILOTAGE_SCREENSHOTS", built::target().join("screenshots")),
         "node was found a moment ago",
     )
 }
@@ -57,7 +58,7 @@ pub fn prepare() -> Result<PathBuf, Failure> {
 
 /// File of the demo as it was flown once, for all journeys that do not judge how it is flown.
 fn demo() -> PathBuf {
-    places::target().join("demo.run")
+    built::target().join("demo.run")
 }
 
 /// Words for the program of the terminal that make it.

@@ -10,7 +10,7 @@ pub struct Cores {
 }
 
 impl Cores {
-    /// What they have spent until now; `None` where the system does not say (`/proc/stat` is Linux').
+    /// Time that they have spent until now; `None` where the system does not say (`/proc/stat` is Linux').
     pub fn now() -> Option<Self> {
         Self::of(&fs::read_to_string("/proc/stat").ok()?)
     }

@@ -22,6 +22,7 @@ mod table;
 use std::{path::Path, process::ExitCode, thread::JoinHandle};
 
 use crate::{
+    built,
     failure::Failure,
     page::{self, Profile},
     places,
@@ -161,7 +162,7 @@ pub fn run(choice: &CheckChoice) -> Result<ExitCode, Failure> {
         }
     }
     if !choice.quick && page_is_reached {
-        let page = places::page_under_test();
+        let page = built::page_under_test();
         let tags = choice.reach.as_ref().and_then(|reach| reach.tags.clone());
         // What looks at the page looks at that of today, also where only it was asked for.
         let is_asked = ["page", SIZES, JOURNEYS].map(|name| table.asks_for(name));

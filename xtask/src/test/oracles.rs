@@ -14,6 +14,7 @@ use super::{
     programs::{self, Manner},
 };
 use crate::{
+    built,
     failure::Failure,
     places,
     process::{on_path, program, run, succeeds},
@@ -50,7 +51,7 @@ pub fn interpreter() -> Result<PathBuf, Failure> {
 }
 
 fn made_interpreter() -> Result<PathBuf, Failure> {
-    let home = places::target().join("oracles");
+    let home = built::target().join("oracles");
     let python = home.join(if cfg!(windows) {
         "Scripts/python.exe"
     } else {

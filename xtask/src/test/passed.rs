@@ -8,9 +8,9 @@ use std::{
 };
 
 use super::{fingerprint, program::CheckProgram};
-use crate::{failure::Failure, places};
+use crate::{built, failure::Failure, places};
 
-/// What lies outside of the packages and is read by their tests while they run, by the end of a package's name.
+/// Files and folders outside of the packages that their tests read while they run, by the end of a package's name.
 const READ: [(&str, &[&str]); 8] = [
     ("tests/flights", &["cli"]),
     ("tests/data", &["vision", "training"]),
@@ -33,7 +33,7 @@ pub fn readers_of(file: &str) -> impl Iterator<Item = String> {
     packages.map(|package| format!("pilotage-{package}"))
 }
 
-/// What a program is made of and reads, when it is looked at.
+/// Print of a program: of its code and of all that it reads, when it is looked at.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Print {
     /// Its code and data, and the files that it reads.
@@ -94,7 +94,7 @@ pub struct Passed {
 impl Passed {
     /// Programs that passed in runs before.
     pub fn read() -> Self {
-        let file = places::target().join("passed-tests.json");
+        let file = built::target().join("passed-tests.json");
         let bytes = fs::read(&file).unwrap_or_default();
         let programs = serde_json::from_slice(&bytes).unwrap_or_default();
         Self { file, programs }

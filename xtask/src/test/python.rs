@@ -7,6 +7,7 @@ use std::{
 
 use super::{extension, linted, native::PACKAGES, oracles, program::named_in_message};
 use crate::{
+    built,
     failure::Failure,
     places,
     process::{program, run},
@@ -24,7 +25,7 @@ pub fn check() -> Result<(), Failure> {
     let library = extension::build()?;
     let terminal = terminal()?;
     let sources = places::root().join("python/pilotage");
-    let package = places::target().join("python");
+    let package = built::target().join("python");
     put_together(
         &sources.join("python/pilotage"),
         &package.join("pilotage"),

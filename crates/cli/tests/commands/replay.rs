@@ -85,7 +85,7 @@ fn answers(workers: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     all
 }
 
-/// Whether the page finds a mission among files with a log, and whether it flies the log by one.
+/// Verdicts of the page: that there is a mission among files with a log, and that the log is flown by one.
 fn by_the_page_of_files(files: &[(&str, &[u8])]) -> [bool; 2] {
     let mut workers = InlineWorkers::new();
     let key = "drop".to_owned();
