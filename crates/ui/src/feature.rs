@@ -5,7 +5,6 @@ use egui::{Rect, Ui};
 use pilotage_core::exchange::FlownValues;
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::frames::GroundRect;
-use pilotage_core::mission::Mission;
 use pilotage_jobs::{
     Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenedFiles, TrackSeries,
 };
