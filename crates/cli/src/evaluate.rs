@@ -79,8 +79,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(stated) = stated.filter(|rate| !(*rate >= 0.0 && rate.is_finite())) {
         return Err(format!("--false-alarms: {stated} is no rate").into());
     }
-    let ground = PlannedFlight::at(&arguments.source.to_source())?;
-    crate::notes::tell(&ground.notes);
+    let ground = crate::notes::told_ground(PlannedFlight::at(&arguments.source.to_source())?);
     let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
     let folder = match &arguments.frames {
         Some(path) => {

@@ -15,8 +15,8 @@ use pilotage_jobs::decode_photo;
 
 use crate::CommandResult;
 use crate::files::{DiskFile, write_whole};
-use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
-use crate::notes::tell;
+use crate::maps::{MAP_CACHE, open_map};
+use crate::notes::told;
 use crate::numbers::{above_zero, numbers};
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 
@@ -63,10 +63,9 @@ pub struct Arguments {
 
 /// Makes the table of the straight edges of a map, sought in pixels of `gsd` metres.
 pub fn make_table(map: &Path, out: &Path, gsd: f64) -> CommandResult {
-    let MapOnDisk {
-        map, frame, notes, ..
-    } = open_map(map, None, MAP_CACHE)?;
-    tell(&notes);
+    let opened = open_map(map, None, MAP_CACHE)?;
+    let frame = opened.frame;
+    let map = told(opened);
     let bounds = map.bounds();
     let pixels = bounds.width() / gsd * (bounds.height() / gsd);
     if pixels > MOST_PIXELS {

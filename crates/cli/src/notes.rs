@@ -3,10 +3,13 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
-use pilotage_core::imagery::Imagery;
+use pilotage_core::frames::GroundRect;
+use pilotage_core::imagery::{Imagery, Window};
 use pilotage_core::mission::Mission;
+use pilotage_core::raster::{Raster, Rgba};
 use pilotage_core::text::by_count;
 use pilotage_core::training::evaluation::HeldOutFrames;
+use pilotage_disk::planned_flight::PlannedFlight;
 
 use crate::maps::MapOnDisk;
 
@@ -35,10 +38,52 @@ pub fn learned_from(mission: &Mission, flight: &Flight) -> Vec<String> {
     learned.collect()
 }
 
-/// The map, once its notes are told.
+/// A map that tells which of its parts could not be read, and were taken as empty, when the command lets go of it.
+struct ToldMap(Arc<dyn Imagery>);
+
+impl Imagery for ToldMap {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn bounds(&self) -> GroundRect {
+        self.0.bounds()
+    }
+
+    fn native_gsd(&self) -> f64 {
+        self.0.native_gsd()
+    }
+
+    fn window(&self, window: &Window) -> Raster<Rgba> {
+        self.0.window(window)
+    }
+
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        self.0.window_so_far(window)
+    }
+
+    fn source(&self) -> Option<&dyn Imagery> {
+        Some(&self.0)
+    }
+}
+
+impl Drop for ToldMap {
+    fn drop(&mut self) {
+        tell(&self.0.problems());
+    }
+}
+
+/// The map, once its notes are told; which of its parts cannot be read is told when the command lets go of it.
 pub fn told(opened: MapOnDisk) -> Arc<dyn Imagery> {
     tell(&opened.notes);
-    opened.map
+    Arc::new(ToldMap(opened.map))
+}
+
+/// The ground of a plan and its map, as [`told`] has it.
+pub fn told_ground(mut ground: PlannedFlight) -> PlannedFlight {
+    tell(&ground.notes);
+    ground.map = Arc::new(ToldMap(ground.map));
+    ground
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use pilotage_core::simulate::{FlightDay, Scenario, Wind};
 use pilotage_jobs::{FlightSource, OpenFlight, PlannedPath, RehearsedFlight, fly_planned};
 
 use crate::maps::{MAP_CACHE, MapOnDisk};
-use crate::notes::tell;
+use crate::notes::{told, told_ground};
 use crate::numbers::numbers;
 use crate::plan::{PlanSource, PlannedFlight, above_ground};
 use crate::workers::Lent;
@@ -83,15 +83,14 @@ pub fn fly(
 type OwnPlan = (RehearsedFlight, Lent);
 
 fn by_mission(own: &OwnMap) -> Result<OwnPlan, Box<dyn std::error::Error>> {
-    let ground = PlannedFlight::at(&PlanSource {
+    let ground = told_ground(PlannedFlight::at(&PlanSource {
         scenario: None,
         mission: own.mission.clone(),
         map: own.map.clone(),
         flight: None,
         height: own.height,
         dem: own.dem.clone(),
-    })?;
-    tell(&ground.notes);
+    })?);
     let lent = ground.lent();
     let plan = ground
         .plan
@@ -104,11 +103,11 @@ fn by_mission(own: &OwnMap) -> Result<OwnPlan, Box<dyn std::error::Error>> {
 }
 
 fn by_map(own: &OwnMap, opened: MapOnDisk) -> Result<OwnPlan, Box<dyn std::error::Error>> {
-    tell(&opened.notes);
-    let frame = opened.frame.ok_or(
+    let frame = opened.frame;
+    let map = told(opened);
+    let frame = frame.ok_or(
         "the map counts in metres of no place on the globe; name its reference system in a .prj file beside it",
     )?;
-    let map = opened.map;
     let way_points = match &own.route {
         Some(text) => way_points(text, &frame)?,
         None => around(&map.bounds()),

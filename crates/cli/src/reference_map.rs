@@ -8,8 +8,8 @@ use pilotage_core::reference::{GenericClass, ReferenceTable};
 use pilotage_jobs::{JobEvent, ReferenceMapOrder};
 
 use crate::files::write_whole;
-use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
-use crate::notes::tell;
+use crate::maps::{MAP_CACHE, open_map};
+use crate::notes::told;
 use crate::numbers::above_zero;
 use crate::workers::{self, Lent};
 use crate::{CommandResult, locate_photo};
@@ -60,10 +60,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 
 /// Makes the table of a map.
 fn make_table(map: &Path, out: &Path, pixel_rows: Option<&Path>) -> CommandResult {
-    let MapOnDisk {
-        map, frame, notes, ..
-    } = open_map(map, None, MAP_CACHE)?;
-    tell(&notes);
+    let opened = open_map(map, None, MAP_CACHE)?;
+    let frame = opened.frame;
+    let map = told(opened);
     let picture = Window::covering(&map.bounds(), map.native_gsd());
     let lent = Lent::default().with_map(Lent::map_of_file(), map);
     let mut bytes: Vec<u8> = Vec::new();

@@ -16,7 +16,7 @@ use serde::Serialize;
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, write_whole};
 use crate::maps::{MAP_CACHE, open_map};
-use crate::notes::tell;
+use crate::notes::told;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 use crate::workers::{self, Lent};
 
@@ -113,10 +113,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         heading_degrees: arguments.heading_within,
     })?;
     let map = open_map(&arguments.map, None, MAP_CACHE)?;
-    tell(&map.notes);
     let ground = PlacedMap {
-        map: map.map,
         world: map.frame,
+        map: told(map),
     };
     let mut orders = Vec::new();
     for path in &arguments.photos {

@@ -5,7 +5,7 @@ use pilotage_jobs::Rehearsed;
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::notes::tell;
+use crate::notes::told_ground;
 use crate::plan::{PlannedFlight, SourceArguments, fly, predict};
 use crate::scenario::seed_range;
 
@@ -71,8 +71,10 @@ struct RehearsalSummary {
 /// Rehearses the route that the arguments name.
 pub fn run(arguments: &Arguments) -> CommandResult {
     let seeds = seed_range(&arguments.seeds)?;
-    let ground = PlannedFlight::along(&arguments.source.to_source(), arguments.route.as_deref())?;
-    tell(&ground.notes);
+    let ground = told_ground(PlannedFlight::along(
+        &arguments.source.to_source(),
+        arguments.route.as_deref(),
+    )?);
     let say = |line: &str| eprintln!("{line}");
     let (plan, prediction) = predict(&ground, None, f64::INFINITY, &say)?;
     let (mut flights, mut frames) = (Vec::new(), Vec::new());

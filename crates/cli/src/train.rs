@@ -17,7 +17,7 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::write_whole;
-use crate::notes::tell;
+use crate::notes::{tell, told_ground};
 use crate::numbers::{below_right_angle, count, zero_or_more};
 use crate::outcome::all_done;
 use crate::plan::{PlannedFlight, SourceArguments};
@@ -103,8 +103,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             arguments.detector
         )
     })?;
-    let mut ground = PlannedFlight::at(&arguments.source.to_source())?;
-    tell(&ground.notes);
+    let mut ground = told_ground(PlannedFlight::at(&arguments.source.to_source())?);
     for name in &arguments.landmark {
         if !ground.mission.landmarks.iter().any(|l| l.name == *name) {
             return Err(format!("--landmark: the mission has none called \"{name}\"").into());

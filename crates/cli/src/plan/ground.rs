@@ -6,13 +6,12 @@ use pilotage_core::simulate::Wind;
 
 use super::arguments::Arguments;
 use super::planned_flight::PlannedFlight;
-use crate::notes::tell;
+use crate::notes::told_ground;
 use crate::numbers::numbers;
 
 /// Opens the ground that the arguments of a plan name.
 pub fn ground_of(arguments: &Arguments) -> Result<PlannedFlight, Box<dyn std::error::Error>> {
-    let mut ground = PlannedFlight::at(&arguments.source.to_source())?;
-    tell(&ground.notes);
+    let mut ground = told_ground(PlannedFlight::at(&arguments.source.to_source())?);
     if let Some(plan) = ground
         .plan
         .as_mut()

@@ -18,7 +18,7 @@ fn shade(x: usize, y: usize) -> [u8; 3] {
 }
 
 /// A TIFF of one strip in three colours; with its place in UTM zone 15 north, or without.
-fn tiff(says_where: bool) -> Vec<u8> {
+pub fn tiff(says_where: bool) -> Vec<u8> {
     let pixels: Vec<u8> = (0..HEIGHT as usize)
         .flat_map(|y| (0..WIDTH as usize).flat_map(move |x| shade(x, y)))
         .collect();

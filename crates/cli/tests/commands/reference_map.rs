@@ -4,6 +4,7 @@ use pilotage_core::raster::{Picture, encode_png};
 use pilotage_core::reference::ReferenceTable;
 
 use super::folder::Folder;
+use super::map::tiff;
 
 #[test]
 fn a_map_becomes_a_table_and_the_rows_of_the_thesis() {
@@ -146,4 +147,26 @@ fn a_photo_is_placed_on_the_globe_by_the_edges_of_a_map_of_another_date() {
     let north = (degrees[0] - 24.261_098_75) * 110_760.0 - ahead * heading.cos();
     let east = (degrees[1] - 120.720_747_64) * 101_500.0 - ahead * heading.sin();
     assert!(north.hypot(east) < 10.0, "{north} {east}: {found}");
+}
+
+#[test]
+fn parts_of_a_map_that_cannot_be_read_are_told_by_commands_that_use_it() {
+    let folder = Folder::new("damaged_map");
+    let mut map = tiff(true);
+    folder.write("whole.tif", &map);
+    // Its strip is said to lie beyond the end of the file.
+    let strip = map.windows(4).position(|tag| tag == [17, 1, 4, 0]);
+    let at = strip.expect("the place of its strip") + 8;
+    map[at..at + 4].copy_from_slice(&500_000_u32.to_le_bytes());
+    folder.write("damaged.tif", &map);
+    let notes = |words: &str| {
+        let said = folder.call(&words.split(' ').collect::<Vec<_>>());
+        String::from_utf8_lossy(&said.stderr).into_owned()
+    };
+    for options in ["-o", "--edges -o"] {
+        let told = notes(&format!("reference-map damaged.tif {options} map.table"));
+        assert!(told.contains("note: damaged.tif"), "{options}: {told}");
+        let told = notes(&format!("reference-map whole.tif {options} map.table"));
+        assert!(!told.contains("note: whole.tif"), "{options}: {told}");
+    }
 }

@@ -99,16 +99,8 @@ impl Imagery for OpenMap {
         self.imagery().window_so_far(window)
     }
 
-    fn prepare(&self, pieces: usize) -> (usize, usize) {
-        self.imagery().prepare(pieces)
-    }
-
-    fn attribution(&self) -> Option<&str> {
-        self.imagery().attribution()
-    }
-
-    fn problems(&self) -> Vec<String> {
-        self.imagery().problems()
+    fn source(&self) -> Option<&dyn Imagery> {
+        Some(self.imagery())
     }
 }
 

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::named_file::NamedFile;
 use super::piecework::{Piecework, PieceworkOutcome, order_each};
 use super::plan::MapWorkPlan;
-use crate::notes::tell;
+use crate::notes::told_ground;
 use crate::plan::PlannedFlight;
 use crate::train::{keep, labelled_flight};
 use crate::workers::Lent;
@@ -40,8 +40,7 @@ pub struct TrainedDetectors {
 impl TrainedDetectors {
     /// Those of the landmarks of a plan's mission that have none, or of all that are switched on.
     pub fn open(plan: &MapWorkPlan) -> Result<Self, Box<dyn std::error::Error>> {
-        let ground = PlannedFlight::at(&plan.source())?;
-        tell(&ground.notes);
+        let ground = told_ground(PlannedFlight::at(&plan.source())?);
         let landmarks: Vec<Landmark> = TrainOrder::wanted(&ground.mission).cloned().collect();
         if landmarks.is_empty() {
             return Err("the mission has no landmark that is switched on".into());

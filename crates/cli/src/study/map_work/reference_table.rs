@@ -11,7 +11,7 @@ use pilotage_jobs::{JobEvent, ReferenceMapOrder, Share, ShareOrder};
 
 use super::piecework::{Piecework, PieceworkOutcome, order_each};
 use crate::maps::{MAP_CACHE, open_map};
-use crate::notes::tell;
+use crate::notes::told;
 use crate::workers::Lent;
 
 /// Tiles in a piece: some half a square kilometre of map.
@@ -29,12 +29,13 @@ impl TableOfMap {
     /// That of the map in a file.
     pub fn open(map: &Path) -> Result<Self, Box<dyn std::error::Error>> {
         let opened = open_map(map, None, MAP_CACHE)?;
-        tell(&opened.notes);
+        let (read, frame) = (opened.read.clone(), opened.frame);
+        let map = told(opened);
         Ok(Self {
-            tiles: ReferenceMapping::tiles(&opened.map.bounds()),
-            map: opened.map,
-            read: opened.read,
-            frame: opened.frame,
+            tiles: ReferenceMapping::tiles(&map.bounds()),
+            map,
+            read,
+            frame,
         })
     }
 }

@@ -8,7 +8,7 @@ use pilotage_jobs::{JobEvent, Share, ShareOrder, SuggestOrder};
 
 use super::piecework::{Piecework, PieceworkOutcome, order_each};
 use super::plan::MapWorkPlan;
-use crate::notes::tell;
+use crate::notes::told_ground;
 use crate::plan::PlannedFlight;
 use crate::plan::propose::{choose, list, proposal};
 
@@ -24,8 +24,7 @@ pub struct ProposedLandmarks {
 impl ProposedLandmarks {
     /// Those that a plan asks for.
     pub fn open(plan: &MapWorkPlan) -> Result<Self, Box<dyn std::error::Error>> {
-        let ground = PlannedFlight::at(&plan.source())?;
-        tell(&ground.notes);
+        let ground = told_ground(PlannedFlight::at(&plan.source())?);
         let order = SuggestOrder {
             side: plan.side,
             seed: plan.seed,

@@ -104,8 +104,13 @@ impl Imagery for CachedImagery {
         self.source.native_gsd()
     }
 
-    fn is_coarse_cheap(&self) -> bool {
-        self.source.is_coarse_cheap()
+    fn source(&self) -> Option<&dyn Imagery> {
+        Some(&self.source)
+    }
+
+    /// Of the source, whatever is kept: what is kept is whole.
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        self.source.window_so_far(window)
     }
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
@@ -138,6 +143,7 @@ impl Imagery for CachedImagery {
 
 #[cfg(test)]
 mod tests {
+    use super::super::InsetImagery;
     use super::*;
 
     /// Every native pixel tells its own place.
@@ -169,6 +175,57 @@ mod tests {
                 ]
             })
         }
+    }
+
+    /// Ground that takes long, of which a part cannot be read.
+    struct Damaged;
+
+    impl Imagery for Damaged {
+        fn name(&self) -> &'static str {
+            "damaged"
+        }
+        fn bounds(&self) -> GroundRect {
+            Places.bounds()
+        }
+        fn native_gsd(&self) -> f64 {
+            0.5
+        }
+        fn window(&self, window: &Window) -> Raster<Rgba> {
+            Places.window(window)
+        }
+        fn is_coarse_cheap(&self) -> bool {
+            false
+        }
+        fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+            (Raster::filled(window.width, window.height, [0; 4]), false)
+        }
+        fn prepare(&self, pieces: usize) -> (usize, usize) {
+            (pieces, 9)
+        }
+        fn attribution(&self) -> Option<&str> {
+            Some("somebody")
+        }
+        fn problems(&self) -> Vec<String> {
+            vec!["tile 0, 0".to_owned()]
+        }
+    }
+
+    #[test]
+    fn a_map_in_memory_says_all_that_its_source_says() {
+        let damaged: Arc<dyn Imagery> = Arc::new(Damaged);
+        let inset = InsetImagery::new(damaged.clone(), Places.bounds(), Arc::new(Places));
+        let around = InsetImagery::new(Arc::new(Places), Places.bounds(), damaged.clone());
+        let window = CachedImagery::new(Arc::new(Places), 1).aligned(&Places.bounds(), 0);
+        let maps: [&dyn Imagery; 2] = [&CachedImagery::new(damaged.clone(), 1), &inset];
+        for map in maps {
+            assert_eq!(map.problems(), ["tile 0, 0"]);
+            assert_eq!(map.attribution(), Some("somebody"));
+            assert_eq!(map.prepare(4), (4, 9));
+            assert!(!map.is_coarse_cheap());
+            assert!(!map.window_so_far(&window).1);
+        }
+        // What is shown around is read as well.
+        assert_eq!(around.problems(), ["tile 0, 0"]);
     }
 
     #[test]

@@ -39,23 +39,47 @@ impl Imagery for InsetImagery {
         self.inner.native_gsd()
     }
 
-    fn is_coarse_cheap(&self) -> bool {
-        self.inner.is_coarse_cheap()
+    fn source(&self) -> Option<&dyn Imagery> {
+        Some(&self.inner)
     }
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
+        let of = |map: &dyn Imagery, window: &Window| (map.window(window), true);
+        self.joined(window, &of).0
+    }
+
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        let of = |map: &dyn Imagery, window: &Window| map.window_so_far(window);
+        self.joined(window, &of)
+    }
+
+    fn problems(&self) -> Vec<String> {
+        let mut all = self.inner.problems();
+        let mut more = self.around.problems();
+        more.retain(|problem| !all.contains(problem));
+        all.extend(more);
+        all
+    }
+}
+
+/// Pixels of a window of a map, and whether they are whole.
+type LookAt<'a> = &'a dyn Fn(&dyn Imagery, &Window) -> (Raster<Rgba>, bool);
+
+impl InsetImagery {
+    /// The pixels of a window out of both, as `of` looks at each, and whether they are whole.
+    fn joined(&self, window: &Window, of: LookAt<'_>) -> (Raster<Rgba>, bool) {
         let Some((part, (left, top))) = window.touching(&self.rect) else {
-            return self.around.window(window);
+            return of(&self.around, window);
         };
-        let part = self.inner.window(&part);
+        let (part, is_whole) = of(&self.inner, &part);
         if (part.width(), part.height()) == (window.width, window.height) {
-            return part;
+            return (part, is_whole);
         }
-        let mut out = self.around.window(window);
+        let (mut out, is_around_whole) = of(&self.around, window);
         for row in 0..part.height() {
             out.row_mut(top + row)[left..left + part.width()].copy_from_slice(part.row(row));
         }
-        out
+        (out, is_whole && is_around_whole)
     }
 }
 

@@ -120,10 +120,16 @@ pub trait Imagery: Send + Sync {
     /// Pixels without data are transparent black.
     fn window(&self, window: &Window) -> Raster<Rgba>;
 
+    /// The imagery whose ground this one shows, if it only keeps or changes what another gives: what it does not say itself
+    /// is as of that one.
+    fn source(&self) -> Option<&dyn Imagery> {
+        None
+    }
+
     /// Whether a coarser window of the same ground costs less than a fine one. Not so for ground that
     /// is made as it is looked at: a coarse pixel is the mean of many fine ones.
     fn is_coarse_cheap(&self) -> bool {
-        true
+        self.source().is_none_or(|source| source.is_coarse_cheap())
     }
 
     /// The window without waiting for what takes long: what is not there yet is transparent. Also
@@ -134,18 +140,19 @@ pub trait Imagery: Send + Sync {
 
     /// Does up to so many pieces of what takes long ahead of its use; gives the number of pieces
     /// that are done and of all. A map that is quick everywhere has none.
-    fn prepare(&self, _pieces: usize) -> (usize, usize) {
-        (0, 0)
+    fn prepare(&self, pieces: usize) -> (usize, usize) {
+        let done = |source: &dyn Imagery| source.prepare(pieces);
+        self.source().map_or((0, 0), done)
     }
 
     /// Who made the map, in words that have to be shown with it, if the map says so itself.
     fn attribution(&self) -> Option<&str> {
-        None
+        self.source()?.attribution()
     }
 
     /// Parts that could not be read and are shown as empty, in words: the first few, each once.
     fn problems(&self) -> Vec<String> {
-        Vec::new()
+        self.source().map_or_else(Vec::new, |it| it.problems())
     }
 }
 
@@ -164,6 +171,10 @@ impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
         (**self).window(window)
+    }
+
+    fn source(&self) -> Option<&dyn Imagery> {
+        (**self).source()
     }
 
     fn is_coarse_cheap(&self) -> bool {
