@@ -17,9 +17,8 @@ use crate::opening::{foreign_words, has_ending};
 /// Arguments of `pilotage convert`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// File with routes or landmarks: .plan, .mission, .waypoints, .kml, .kmz (also DJI's WPML), .geojson, .gpx or
-    /// .csv (also Litchi's). Or labels of pictures:
-    /// COCO (.json), Pascal VOC (.xml, a .zip or a folder of them).
+    /// File with routes or landmarks, or labels of pictures.
+    #[arg(help = from_help())]
     from: PathBuf,
     /// File to write; its extension names the format.
     to: PathBuf,
@@ -32,6 +31,16 @@ pub struct Arguments {
     /// Write the mission of a maker: `dji`, way-points as WPML in a .kmz, or `litchi`, way-points in a .csv.
     #[arg(long = "as", value_name = "MAKER", conflicts_with = "landmarks")]
     maker: Option<Maker>,
+}
+
+/// Explanation of what is read, with the endings of all formats.
+fn from_help() -> String {
+    format!(
+        "File with routes or landmarks ({}), or a table of them that is known by its content: .cup of SeeYou, .wpt of \
+         OziExplorer, .MRK of DJI, control points (gcp_list.txt). Or labels of pictures: COCO (.json), Pascal VOC \
+         (.xml, a .zip or a folder of them)",
+        Format::all_extensions()
+    )
 }
 
 /// A maker whose missions have the extensions of other files.

@@ -68,13 +68,6 @@ impl OutputForm {
         let mut tracks = Format::all().filter(|format| format.holds_tracks());
         tracks.find(|format| format.extensions()[0] == form.get_name())
     }
-
-    /// Extensions of the formats of tracks, in words.
-    fn of_tracks() -> String {
-        let tracks = Format::all().filter(|format| format.holds_tracks());
-        let names: Vec<_> = tracks.map(|format| format.extensions()[0]).collect();
-        names.join(", ")
-    }
 }
 
 impl Arguments {
@@ -98,8 +91,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let form = arguments.form();
     if let Some(kind) = arguments.track {
         let format = form.of_track();
-        let format = format
-            .ok_or_else(|| format!("a track is written as one of: {}", OutputForm::of_tracks()))?;
+        let format = format.ok_or_else(|| {
+            format!(
+                "a track is written as one of {}",
+                Format::track_extensions()
+            )
+        })?;
         let written = write_flown(format, &track(opened, kind, arguments.channel.as_deref())?)?;
         for note in &written.notes {
             eprintln!("note: {note}");
@@ -229,5 +226,18 @@ mod tests {
             assert!(asked.is_some(), "{format:?}");
         }
         assert_eq!(OutputForm::Parquet.of_track(), None);
+    }
+
+    #[test]
+    fn the_help_names_every_form_that_is_written() {
+        let all = <crate::Arguments as clap::CommandFactory>::command();
+        let export = all.find_subcommand("export").expect("the command");
+        let about = export.get_about().expect("a line of help").to_string();
+        for form in <OutputForm as clap::ValueEnum>::value_variants() {
+            let form = clap::ValueEnum::to_possible_value(form).expect("a name");
+            let named = about.to_lowercase();
+            let mut words = named.split(|c: char| !c.is_alphanumeric());
+            assert!(words.any(|word| word == form.get_name()), "{about}");
+        }
     }
 }

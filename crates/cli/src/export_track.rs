@@ -141,7 +141,13 @@ pub struct FlownWhere {
 pub fn write_estimate(flight: &Flight, run: &Run, at: FlownWhere, path: &Path) -> CommandResult {
     let name = path.to_string_lossy();
     let format = Format::of_name(&name)
-        .ok_or_else(|| format!("{name}: a track ends in .kml, .kmz, .gpx, .geojson or .csv"))?;
+        .filter(|format| format.holds_tracks())
+        .ok_or_else(|| {
+            format!(
+                "{name}: a track ends in one of {}",
+                Format::track_extensions()
+            )
+        })?;
     let frame = flight.frame_on_globe;
     let frame = frame.unwrap_or_else(|| LocalFrame::new(at.origin));
     let track = run.estimated_track(&flight.name, &frame, at.utc_at_zero);

@@ -88,7 +88,7 @@ enum CommandChoice {
     Roads(roads::Arguments),
     /// Convert routes, landmarks and labels between file formats.
     Convert(convert::Arguments),
-    /// Write the values of a log as CSV or JSON, or its track as KML, GPX, GeoJSON or CSV.
+    /// Write the values of a log as CSV, JSON or Parquet, or its track as KML, KMZ, GPX, GeoJSON or CSV.
     Export(export::Arguments),
     /// Show what the columns of tables mean, and save it to be edited.
     Columns(columns::Arguments),

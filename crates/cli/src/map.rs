@@ -68,7 +68,7 @@ enum MapCommand {
 struct MapArguments {
     /// `GeoTIFF`, `PMTiles`, JPEG or PNG with a world file or a georeference beside it, or a table (CSV) of several
     /// pictures with the latitude and longitude of their corners, KMZ or KML with a picture on the ground; for info also
-    /// .hgt.
+    /// elevation models (.hgt, .asc, .xyz).
     file: PathBuf,
     /// Reference system of the map's coordinates, before what its files say, e.g. EPSG:32617.
     #[arg(long)]

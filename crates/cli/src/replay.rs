@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use pilotage_core::exchange::Format;
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, Summary, summarize, unused_pictures};
@@ -76,8 +77,8 @@ pub struct Arguments {
     /// File for the run.
     #[arg(long, conflicts_with = "seeds")]
     out: Option<PathBuf>,
-    /// File for the estimated track; its ending names the format: .kml, .kmz, .gpx, .geojson or .csv.
-    #[arg(long, value_name = "FILE", conflicts_with = "seeds")]
+    /// File for the estimated track.
+    #[arg(long, value_name = "FILE", conflicts_with = "seeds", help = track_help())]
     track: Option<PathBuf>,
     /// File for the summary.
     #[arg(long)]
@@ -85,6 +86,12 @@ pub struct Arguments {
     /// Print every camera frame with what became of it, and what frames and landmarks were refused of, counted.
     #[arg(long, conflicts_with = "seeds")]
     verbose: bool,
+}
+
+/// Explanation of `--track`, with the endings of all formats that hold tracks.
+fn track_help() -> String {
+    let endings = Format::track_extensions();
+    format!("File for the estimated track; its ending names the format: {endings}")
 }
 
 /// Length of GPS outages where nobody states one, seconds.

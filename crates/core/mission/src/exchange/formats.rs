@@ -72,6 +72,27 @@ impl Format {
         self.info().extensions
     }
 
+    /// Extensions of all formats, each once, in words: `.plan, .mission, …`.
+    ///
+    /// ```
+    /// assert!(pilotage_mission::exchange::Format::all_extensions().contains(".gpx, .lnmpln, "));
+    /// ```
+    pub fn all_extensions() -> String {
+        in_words(Self::all().flat_map(Self::extensions))
+    }
+
+    /// Extensions of the formats that hold flown tracks, in words.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// assert_eq!(Format::track_extensions(), ".kml, .kmz, .gpx, .geojson, .csv");
+    /// ```
+    pub fn track_extensions() -> String {
+        let formats = Self::all().filter(|format| format.holds_tracks());
+        in_words(formats.filter_map(|format| format.extensions().first()))
+    }
+
     /// Whether the extension of a file's name is one of any format.
     ///
     /// ```
@@ -147,6 +168,18 @@ impl Format {
         let is_only_read = only_read.any(|only| only.eq_ignore_ascii_case(extension));
         Self::of_name(name).filter(|_| !is_only_read)
     }
+}
+
+/// Extensions, each once, with their dots and commas between.
+fn in_words(extensions: impl Iterator<Item = &'static &'static str>) -> String {
+    let mut all: Vec<String> = Vec::new();
+    for extension in extensions {
+        let dotted = format!(".{extension}");
+        if !all.contains(&dotted) {
+            all.push(dotted);
+        }
+    }
+    all.join(", ")
 }
 
 #[cfg(test)]
