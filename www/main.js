@@ -141,7 +141,9 @@ async function start() {
   }
   const [{ tab, storage }, told] = await loading;
   const loaded = performance.now();
-  document.getElementById("logs").textContent = WebHandle.log_endings();
+  for (const [id, words] of [["logs", WebHandle.log_endings()], ["flown", WebHandle.flown_files()], ["places", WebHandle.exchange_names()]]) {
+    document.getElementById(id).textContent = words;
+  }
   const app = new WebHandle();
   for (const [key, bytes] of told) app.remember(key, bytes);
   for (const [key, kept] of storage.loaded) {

@@ -10,5 +10,8 @@ export async function run(page, tools) {
   // Large logs are read by pieces: `www/files.js` knows them by what the program says here.
   const logs = await page.textContent("#logs");
   tools.check(logs.startsWith(".bin, "), `files that are dropped are told "${logs}"`);
+  const [flown, places] = [await page.textContent("#flown"), await page.textContent("#places")];
+  tools.check(flown.includes("gliders (.igc)"), `flights by themselves are "${flown}"`);
+  tools.check(places.includes("WPML") && places.includes("GeoJSON"), `routes and landmarks are "${places}"`);
   await tools.screenshot("smoke");
 }

@@ -16,11 +16,43 @@ use pilotage_core::imagery::ByteSource;
 use super::log_flights::{head, log_among};
 use super::table_names::tables_among;
 
-/// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
-/// satellite receiver or a glider's recorder said.
-const FLOWN: [&str; 8] = ["jpg", "jpeg", "png", "srt", "nmea", "igc", "plt", "tcx"];
-/// Endings of tracks, which say no more than where somebody was.
-const TRACKS: [&str; 2] = ["plt", "tcx"];
+/// Files of a kind that may be a flight without saying so in a file beside them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FlownFiles {
+    /// Words for them.
+    pub words: &'static str,
+    /// Endings of their names, without the dot.
+    pub endings: &'static [&'static str],
+}
+
+/// Tracks, which say no more than where somebody was.
+const TRACKS: FlownFiles = of_kind("tracks", &["plt", "tcx"]);
+
+/// Every kind of them, in the order in which people are told of them.
+pub const FLOWN: [FlownFiles; 5] = [
+    of_kind(
+        "photos that say where they were taken",
+        &["jpg", "jpeg", "png"],
+    ),
+    of_kind("subtitles of films", &["srt"]),
+    of_kind("sentences of a receiver", &["nmea"]),
+    of_kind("flight records of gliders", &["igc"]),
+    TRACKS,
+];
+
+const fn of_kind(words: &'static str, endings: &'static [&'static str]) -> FlownFiles {
+    FlownFiles { words, endings }
+}
+
+/// Files that may be a flight without saying so in a file beside them, in words, with the endings of their names.
+///
+/// ```
+/// assert!(pilotage_jobs::flown_in_words().ends_with(", tracks (.plt, .tcx)"));
+/// ```
+pub fn flown_in_words() -> String {
+    let kind = |kind: FlownFiles| format!("{} (.{})", kind.words, kind.endings.join(", ."));
+    FLOWN.map(kind).join(", ")
+}
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
 /// where it was: subtitles, sentences, photos, tracks, and films last. `None` beside tables that make a flight as their columns are
@@ -49,7 +81,8 @@ pub fn flight_among(
         return Ok(Some(flown));
     }
     let has_none = |endings: &[&str]| names_ending_in(files.as_ref(), endings).is_empty();
-    if has_none(&FLOWN) && has_none(&FILMS) || log_among(files.as_ref()).is_some() {
+    let has_none_flown = FLOWN.iter().all(|kind| has_none(kind.endings));
+    if has_none_flown && has_none(&FILMS) || log_among(files.as_ref()).is_some() {
         return Ok(None);
     }
     let mut flown = flight_of_subtitles(files).map_err(told)?;
@@ -60,12 +93,12 @@ pub fn flight_among(
         flown = flight_of_record(files).map_err(told)?;
     }
     if let Some(mut flown) = flown.or_else(|| read_photos(files)) {
-        let tracks = names_ending_in(files.as_ref(), &TRACKS).into_iter();
+        let tracks = names_ending_in(files.as_ref(), TRACKS.endings).into_iter();
         let left_out = |name| format!("{name} is left out: other files beside it are the flight");
         flown.notes.extend(tracks.map(left_out));
         return Ok(Some(with_films_told(flown, files.as_ref())));
     }
-    if has_none(&TRACKS) && has_none(&FILMS) {
+    if has_none(TRACKS.endings) && has_none(&FILMS) {
         return Ok(None);
     }
     let tables = tables_among(files.as_ref());

@@ -73,7 +73,9 @@ pub use bare_mission::BareMission;
 pub use circumstances::PlanCircumstances;
 pub use control_points::{PresumedSystem, ReadControlPointsOrder};
 pub use fetched_tiles::WEB_TILES;
-pub use flight_among::{flight_among, flight_of_file, with_films_told};
+pub use flight_among::{
+    FLOWN, FlownFiles, flight_among, flight_of_file, flown_in_words, with_films_told,
+};
 pub use flights::{KeptFrames, OpenFlight};
 pub use frame_picture::{FramePictureOrder, PictureForm};
 pub use imports::{labels, read_exchange};

@@ -18,6 +18,7 @@ use pilotage_core::mission::{
 };
 use pilotage_core::navigator::{Run, decode_run};
 
+use super::flight_among::flown_in_words;
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels, owns_geojson, read_exchange};
 use super::log_flights::{flight_of_log, foreign_kind, head, log_among};
@@ -299,9 +300,14 @@ pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, O
     Ok(None)
 }
 
+/// Endings of files that are elevation models and nothing else.
+const HEIGHTS: [&str; 2] = ["hgt", "asc"];
+
 /// The elevation model among the files, in the world frame `frame` or else its own.
 pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
-    let mut names = names_ending_in(pool, &["hgt", "asc", "tif", "tiff"]).into_iter();
+    let of_maps = ["tif", "tiff"];
+    let endings = HEIGHTS.iter().chain(&of_maps).copied();
+    let mut names = names_ending_in(pool, &endings.collect::<Vec<_>>()).into_iter();
     let Some(name) = names.find(|name| pool.source(name).is_some_and(Dem::is_one)) else {
         return Ok(None);
     };
@@ -357,12 +363,13 @@ fn unknown(pool: &dyn FileSet) -> String {
         n => format!(" and {} more", n - 1),
     };
     format!(
-        "{first}{more}: of no kind that opens here. These do: flight logs ({}), sentences of a receiver (.nmea), flight records of gliders (.igc), tracks (.plt, .tcx), \
-         MATLAB's variables (.mat), tables of a flight as CSV, a flight folder with its {FLIGHT_FILE}, a zip of any of \
-         these, a film beside its log or its subtitles (.srt), a map picture with its world file, a GeoTIFF, PMTiles, \
-         an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, roads of \
-         OpenStreetMap (.osm, .pbf), and routes and landmarks as {}.",
+        "{first}{more}: of no kind that opens here. These do: flight logs ({}), {}, MATLAB's variables (.mat), tables of a flight as CSV, a \
+         flight folder with its {FLIGHT_FILE}, a zip of any of these, a film beside its log or its subtitles, a map \
+         picture with its world file, a GeoTIFF, PMTiles, an elevation model (.{}), a mission or a run saved here, \
+         roads of OpenStreetMap (.osm, .pbf), and routes and landmarks as {}.",
         LogFormat::ENDINGS.join(", "),
+        flown_in_words(),
+        HEIGHTS.join(", ."),
         exchange_names().join(", ")
     )
 }
@@ -390,6 +397,7 @@ mod tests {
 
     use super::super::LentFiles;
     use super::super::file_pool::FilePool;
+    use super::super::flight_among::FLOWN;
     use super::super::photo_picture::tests::tiff;
     use super::*;
 
@@ -613,5 +621,11 @@ mod tests {
             refused.contains("QGroundControl plan, QGC WPL 110, KML"),
             "{refused}"
         );
+        for ending in FLOWN.iter().flat_map(|kind| kind.endings).chain(&HEIGHTS) {
+            assert!(
+                refused.contains(&format!(".{ending}")),
+                "{ending}: {refused}"
+            );
+        }
     }
 }

@@ -4,8 +4,9 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use js_sys::{Array, Uint8Array};
+use pilotage_core::exchange::Format;
 use pilotage_core::flight::log::LogFormat;
-use pilotage_jobs::FileContent;
+use pilotage_jobs::{FileContent, flown_in_words};
 use pilotage_ui::host::OpenedFile;
 use pilotage_ui::kept_mesh::install;
 use pilotage_ui::kept_tree::{KeptTree, tree_json};
@@ -46,6 +47,17 @@ impl WebHandle {
     /// Endings of the names of logs, for the page to name and `www/files.js` to know.
     pub fn log_endings() -> String {
         LogFormat::ENDINGS.join(", ")
+    }
+
+    /// Files that may be a flight by themselves, in words, for the page to name.
+    pub fn flown_files() -> String {
+        flown_in_words()
+    }
+
+    /// Names of the formats of routes and landmarks, for the page to name.
+    pub fn exchange_names() -> String {
+        let names: Vec<&str> = Format::all().map(Format::name).collect();
+        names.join(", ")
     }
 
     /// Tells, before the start, what the browser remembered under a key.
