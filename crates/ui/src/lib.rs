@@ -22,6 +22,8 @@ pub mod shell;
 pub mod short_map;
 mod state_json;
 pub mod still;
+#[cfg(test)]
+mod testing;
 pub mod timeline;
 pub mod tokens;
 pub mod units;

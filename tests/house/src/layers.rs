@@ -141,6 +141,7 @@ const UI: FolderOrder = FolderOrder {
     folders: &[
         "tokens",
         "units",
+        "testing",
         "kept_mesh",
         "kept_tree",
         "state_json",

@@ -20,6 +20,8 @@ pub(crate) mod picking;
 #[cfg(test)]
 pub(crate) mod pictures;
 mod plots;
+#[cfg(test)]
+mod shown;
 pub(crate) mod sighted;
 pub(crate) mod sights;
 pub(crate) mod table;

@@ -2,32 +2,17 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
 use super::super::fixture::{Fixture, sighting};
+use super::super::shown::{Shown, shown};
 use super::*;
 
-struct State {
-    fixture: Fixture,
-    view: CameraView,
-    time: f64,
-    commands: Vec<Command>,
-}
-
-fn harness(time: f64) -> Harness<'static, State> {
-    let state = State {
-        fixture: Fixture::lasting(20.0),
-        view: CameraView::default(),
+fn harness(time: f64) -> Harness<'static, Shown<CameraView>> {
+    shown(
+        [420.0, 320.0],
         time,
-        commands: Vec::new(),
-    };
-    Harness::builder().with_size([420.0, 320.0]).build_ui_state(
-        |ui, state| {
-            let fixture = &state.fixture;
-            let mut context = ViewContext {
-                pictures: &|index| Some(index),
-                ..fixture.context(state.time, &mut state.commands)
-            };
-            state.view.show(ui, &mut context);
+        |view: &mut CameraView, ui, context| {
+            context.pictures = &|index| Some(index);
+            view.show(ui, context);
         },
-        state,
     )
 }
 

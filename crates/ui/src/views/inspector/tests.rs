@@ -5,33 +5,12 @@ use pilotage_core::navigator::RegistrationReport;
 use pilotage_core::registration::RegistrationMethod;
 
 use super::super::fixture::Fixture;
+use super::super::shown::{Shown, shown};
 use super::*;
 use crate::command::Command;
 
-struct State {
-    fixture: Fixture,
-    view: InspectorView,
-    time: f64,
-    commands: Vec<Command>,
-}
-
-fn harness(time: f64) -> Harness<'static, State> {
-    let state = State {
-        fixture: Fixture::lasting(20.0),
-        view: InspectorView::default(),
-        time,
-        commands: Vec::new(),
-    };
-    Harness::builder()
-        .with_size([360.0, 1200.0])
-        .build_ui_state(
-            |ui, state| {
-                let fixture = &state.fixture;
-                let mut context = fixture.context(state.time, &mut state.commands);
-                state.view.show(ui, &mut context);
-            },
-            state,
-        )
+fn harness(time: f64) -> Harness<'static, Shown<InspectorView>> {
+    shown([360.0, 1200.0], time, InspectorView::show)
 }
 
 #[test]

@@ -4,44 +4,26 @@ use egui_kittest::kittest::Queryable as _;
 use pilotage_core::raster::Gray;
 use pilotage_core::registration::FollowSettings;
 
-use super::super::fixture::{Fixture, match_pictures};
+use super::super::fixture::match_pictures;
+use super::super::shown::{Shown, shown};
 use super::*;
 
-struct State {
-    fixture: Fixture,
-    view: MatchView,
-    pictures: Option<MatchPictures>,
-    /// Generation of the run that the pictures are of.
-    run: u64,
-    time: f64,
-    commands: Vec<Command>,
-}
+/// The view, and the pictures that it is given with the generation of the run that they are of.
+type WithPictures = (MatchView, Option<(u64, MatchPictures)>);
 
-fn harness(time: f64) -> Harness<'static, State> {
-    let state = State {
-        fixture: Fixture::lasting(20.0),
-        view: MatchView::default(),
-        pictures: None,
-        run: 1,
-        time,
-        commands: Vec::new(),
+fn harness(time: f64) -> Harness<'static, Shown<WithPictures>> {
+    let draw = |(view, given): &mut WithPictures, ui: &mut Ui, context: &mut ViewContext<'_>| {
+        let pictures = given.as_ref().map(|(run, pictures)| {
+            let of = ExplainedStep {
+                run: *run,
+                time: pictures.time,
+                landmark: pictures.landmark,
+            };
+            (of, pictures)
+        });
+        view.show(ui, context, pictures);
     };
-    Harness::builder().with_size([420.0, 560.0]).build_ui_state(
-        |ui, state| {
-            let fixture = &state.fixture;
-            let mut context = fixture.context(state.time, &mut state.commands);
-            let pictures = state.pictures.as_ref().map(|pictures| {
-                let of = ExplainedStep {
-                    run: state.run,
-                    time: pictures.time,
-                    landmark: pictures.landmark,
-                };
-                (of, pictures)
-            });
-            state.view.show(ui, &mut context, pictures);
-        },
-        state,
-    )
+    shown([420.0, 560.0], time, draw)
 }
 
 #[test]
@@ -50,7 +32,7 @@ fn the_numbers_stand_before_the_pictures_arrive_and_the_pictures_are_asked_for()
     harness.run();
     harness.get_by_label_contains("Score");
     harness.get_by_label("The pictures of this match are on their way");
-    let (time, landmark) = harness.state().view.wanted().unwrap();
+    let (time, landmark) = harness.state().view.0.wanted().unwrap();
     assert!(
         harness
             .state()
@@ -63,13 +45,13 @@ fn the_numbers_stand_before_the_pictures_arrive_and_the_pictures_are_asked_for()
 fn pictures_of_another_match_are_not_shown() {
     let mut harness = harness(12.0);
     harness.run();
-    let (time, landmark) = harness.state().view.wanted().unwrap();
+    let (time, landmark) = harness.state().view.0.wanted().unwrap();
     let other = match_pictures(time - 1.0, landmark);
-    harness.state_mut().pictures = Some(other);
+    harness.state_mut().view.1 = Some((1, other));
     harness.run();
     harness.get_by_label("The pictures of this match are on their way");
     let right = match_pictures(time, landmark);
-    harness.state_mut().pictures = Some(right);
+    harness.state_mut().view.1 = Some((1, right));
     harness.run();
     harness.get_by_label("Map patch, rectified picture, and score at every place");
 }
@@ -78,16 +60,18 @@ fn pictures_of_another_match_are_not_shown() {
 fn the_pictures_of_the_run_before_are_not_shown_for_the_match_of_now() {
     let mut harness = harness(12.0);
     harness.run();
-    let (time, landmark) = harness.state().view.wanted().unwrap();
-    harness.state_mut().pictures = Some(match_pictures(time, landmark));
+    let (time, landmark) = harness.state().view.0.wanted().unwrap();
+    harness.state_mut().view.1 = Some((1, match_pictures(time, landmark)));
     harness.run();
-    let shown = |harness: &Harness<'static, State>| harness.state().view.textures.ids();
+    let shown = |harness: &Harness<'static, Shown<WithPictures>>| {
+        harness.state().view.0.textures.ids()
+    };
     let before = shown(&harness);
     assert_eq!(before.len(), 3);
     harness.run();
     assert_eq!(shown(&harness), before, "once for each match");
     // The landmark was made larger, and the flight flown again.
-    harness.state_mut().run = 2;
+    harness.state_mut().view.1 = Some((2, match_pictures(time, landmark)));
     harness.run();
     for (before, after) in before.into_iter().zip(shown(&harness)) {
         assert_ne!(before, after);
@@ -99,10 +83,10 @@ fn captions_of_pictures_keep_apart_however_narrow_a_picture_is() {
     for patch in [4, 9, 20] {
         let mut harness = harness(12.0);
         harness.run();
-        let (time, landmark) = harness.state().view.wanted().unwrap();
+        let (time, landmark) = harness.state().view.0.wanted().unwrap();
         let mut pictures = match_pictures(time, landmark);
         pictures.patch = Gray::from_fn(patch, 30, |_, _| 100.0);
-        harness.state_mut().pictures = Some(pictures);
+        harness.state_mut().view.1 = Some((1, pictures));
         harness.run();
         let shapes = harness.output().shapes.iter();
         let texts = shapes.filter_map(|drawn| match &drawn.shape {
@@ -129,7 +113,7 @@ fn captions_of_pictures_keep_apart_however_narrow_a_picture_is() {
 fn between_landmarks_the_last_one_stays_with_its_age() {
     let mut harness = harness(12.0);
     harness.run();
-    let (seen, landmark) = harness.state().view.wanted().unwrap();
+    let (seen, landmark) = harness.state().view.0.wanted().unwrap();
     for step in &mut harness.state_mut().fixture.run.steps {
         if step.time > seen
             && let Some(frame) = &mut step.frame
@@ -140,7 +124,7 @@ fn between_landmarks_the_last_one_stays_with_its_age() {
     harness.state_mut().time = seen + 4.0;
     harness.run();
     harness.get_by_label_contains("the last one looked for, 4.0 s ago");
-    assert_eq!(harness.state().view.wanted(), Some((seen, landmark)));
+    assert_eq!(harness.state().view.0.wanted(), Some((seen, landmark)));
 }
 
 #[test]

@@ -1,30 +1,12 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
-use super::super::fixture::Fixture;
+use super::super::shown::{Shown, shown};
 use super::*;
 use crate::command::Command;
 
-struct State {
-    fixture: Fixture,
-    view: PlotsView,
-    commands: Vec<Command>,
-}
-
-fn harness() -> Harness<'static, State> {
-    let state = State {
-        fixture: Fixture::lasting(20.0),
-        view: PlotsView::default(),
-        commands: Vec::new(),
-    };
-    Harness::builder().with_size([480.0, 420.0]).build_ui_state(
-        |ui, state| {
-            let fixture = &state.fixture;
-            let mut context = fixture.context(5.0, &mut state.commands);
-            state.view.show(ui, &mut context);
-        },
-        state,
-    )
+fn harness() -> Harness<'static, Shown<PlotsView>> {
+    shown([480.0, 420.0], 5.0, PlotsView::show)
 }
 
 #[test]

@@ -1,24 +1,10 @@
-//! Draws egui's triangles without a graphics card, so that tests can write pictures to look at.
+//! Pictures of views alone, so that tests can write what people look at.
 
-use std::collections::HashMap;
-use std::path::PathBuf;
+use egui::{Context, Rect, Ui, Vec2, pos2};
 
-use egui::epaint::{ImageData, Primitive, Vertex};
-use egui::{Color32, ColorImage, Context, Rect, TextureId, Ui, Vec2, pos2};
+use crate::testing::canvas::ScreenTextures;
 
-/// Folder named by `PILOTAGE_PICTURES`, if people want to look at the views.
-pub(crate) fn folder() -> Option<PathBuf> {
-    let folder = PathBuf::from(std::env::var_os("PILOTAGE_PICTURES")?);
-    std::fs::create_dir_all(&folder).ok()?;
-    Some(folder)
-}
-
-/// A screen in memory.
-struct Canvas {
-    size: [usize; 2],
-    pixels: Vec<[f32; 3]>,
-    textures: HashMap<TextureId, ColorImage>,
-}
+pub(crate) use crate::testing::canvas::folder;
 
 /// Runs `draw` for four frames and returns the last one, at two pixels per point.
 pub(crate) fn picture(
@@ -30,11 +16,8 @@ pub(crate) fn picture(
     prepare(&context);
     let scale = 2.0;
     context.set_pixels_per_point(scale);
-    let mut canvas = Canvas {
-        size: [(size.x * scale) as usize, (size.y * scale) as usize],
-        pixels: Vec::new(),
-        textures: HashMap::new(),
-    };
+    let mut textures = ScreenTextures::default();
+    let mut shapes = Vec::new();
     for frame in 0..4 {
         let input = egui::RawInput {
             screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), size)),
@@ -42,111 +25,8 @@ pub(crate) fn picture(
             ..egui::RawInput::default()
         };
         let mut output = context.run_ui(input, &mut draw);
-        for (id, deltas) in output.textures_delta.set.drain() {
-            for delta in deltas {
-                let ImageData::Color(image) = &delta.image;
-                canvas.set_texture(id, image, delta.pos);
-            }
-        }
-        output.textures_delta.clear();
-        canvas.pixels = vec![[0.0; 3]; canvas.size[0] * canvas.size[1]];
-        for primitive in context.tessellate(output.shapes, scale) {
-            if let Primitive::Mesh(mesh) = primitive.primitive {
-                let Some(texture) = canvas.textures.remove(&mesh.texture_id) else {
-                    continue;
-                };
-                for triangle in mesh.indices.chunks_exact(3) {
-                    let corners = [0, 1, 2].map(|i| mesh.vertices[triangle[i] as usize]);
-                    canvas.triangle(corners, &texture, primitive.clip_rect, scale);
-                }
-                canvas.textures.insert(mesh.texture_id, texture);
-            }
-        }
+        textures.take(&mut output.textures_delta);
+        shapes = output.shapes;
     }
-    image::RgbImage::from_fn(canvas.size[0] as u32, canvas.size[1] as u32, |x, y| {
-        let pixel = canvas.pixels[y as usize * canvas.size[0] + x as usize];
-        image::Rgb(pixel.map(|v| v.clamp(0.0, 255.0) as u8))
-    })
-}
-
-impl Canvas {
-    fn set_texture(&mut self, id: TextureId, image: &ColorImage, position: Option<[usize; 2]>) {
-        let Some([left, top]) = position else {
-            self.textures.insert(id, image.clone());
-            return;
-        };
-        if let Some(texture) = self.textures.get_mut(&id) {
-            for row in 0..image.size[1] {
-                for column in 0..image.size[0] {
-                    let at = (top + row) * texture.size[0] + left + column;
-                    texture.pixels[at] = image.pixels[row * image.size[0] + column];
-                }
-            }
-        }
-    }
-
-    /// Fills a triangle, blending premultiplied colours in gamma space as egui does.
-    fn triangle(&mut self, corners: [Vertex; 3], texture: &ColorImage, clip: Rect, scale: f32) {
-        let [a, b, c] = corners.map(|v| v.pos.to_vec2() * scale);
-        let area = (b - a).x * (c - a).y - (b - a).y * (c - a).x;
-        if area.abs() < 1e-9 {
-            return;
-        }
-        let clip = Rect::from_min_max(
-            (clip.min.to_vec2() * scale).to_pos2(),
-            (clip.max.to_vec2() * scale).to_pos2(),
-        );
-        let low = a.min(b).min(c).max(clip.min.to_vec2().max(Vec2::ZERO));
-        let high = a.max(b).max(c).min(clip.max.to_vec2());
-        let right = (high.x.ceil().max(0.0) as usize).min(self.size[0]);
-        let bottom = (high.y.ceil().max(0.0) as usize).min(self.size[1]);
-        for y in low.y.floor() as usize..bottom {
-            for x in low.x.floor() as usize..right {
-                // A little beside the centre: no edge of a line then runs exactly through it.
-                let p = Vec2::new(x as f32 + 0.487, y as f32 + 0.493);
-                if !clip.contains(p.to_pos2()) {
-                    continue;
-                }
-                let wb = ((p - a).x * (c - a).y - (p - a).y * (c - a).x) / area;
-                let wc = ((b - a).x * (p - a).y - (b - a).y * (p - a).x) / area;
-                let weights = [1.0 - wb - wc, wb, wc];
-                if weights.iter().any(|w| *w < 0.0) {
-                    continue;
-                }
-                let mix = |f: &dyn Fn(&Vertex) -> f32| -> f32 {
-                    corners.iter().zip(weights).map(|(v, w)| f(v) * w).sum()
-                };
-                let texel = sample(texture, mix(&|v| v.uv.x), mix(&|v| v.uv.y));
-                let part = |channel: usize| {
-                    mix(&|v| f32::from(v.color.to_array()[channel])) * texel[channel] / 255.0
-                };
-                let keep = 1.0 - part(3) / 255.0;
-                let pixel = &mut self.pixels[y * self.size[0] + x];
-                for (channel, value) in pixel.iter_mut().enumerate() {
-                    *value = *value * keep + part(channel);
-                }
-            }
-        }
-    }
-}
-
-/// The texture's colour at (u, v), between its pixels.
-fn sample(texture: &ColorImage, u: f32, v: f32) -> [f32; 4] {
-    let x = (u * texture.size[0] as f32 - 0.5).max(0.0);
-    let y = (v * texture.size[1] as f32 - 0.5).max(0.0);
-    let (column, row) = (x as usize, y as usize);
-    let get = |c: usize, r: usize| -> [f32; 4] {
-        let c = c.min(texture.size[0] - 1);
-        let r = r.min(texture.size[1] - 1);
-        let color: Color32 = texture.pixels[r * texture.size[0] + c];
-        color.to_array().map(f32::from)
-    };
-    let (fx, fy) = (x.fract(), y.fract());
-    let corners = [
-        (get(column, row), (1.0 - fx) * (1.0 - fy)),
-        (get(column + 1, row), fx * (1.0 - fy)),
-        (get(column, row + 1), (1.0 - fx) * fy),
-        (get(column + 1, row + 1), fx * fy),
-    ];
-    [0, 1, 2, 3].map(|i| corners.iter().map(|(color, w)| color[i] * w).sum())
+    textures.draw(&context, shapes, size, scale)
 }

@@ -8,6 +8,8 @@ pub mod heights;
 pub mod host;
 pub mod inline;
 pub mod laid;
+#[path = "../../../src/testing/canvas.rs"]
+pub mod painted;
 pub mod real;
 pub mod tile;
 
