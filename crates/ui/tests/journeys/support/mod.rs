@@ -12,6 +12,7 @@ pub mod laid;
 pub mod painted;
 pub mod real;
 pub mod tile;
+pub mod written;
 
 pub use harness::{Rig, rig, rig_on};
 pub use host::{Ahead, Pointing, Scheme, ScriptedHost};
