@@ -1,6 +1,7 @@
 //! `pilotage reference-map locate`: photos placed by the straight edges of a table.
 
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use nalgebra::Point3;
 use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, photo_pose};
@@ -24,6 +25,9 @@ use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 const BELIEVED: f64 = 0.9;
 /// Standard deviation of roll and pitch, radians.
 const TILT: f64 = 0.035;
+
+/// Time after which a search tells how much of it is done.
+const QUIET: Duration = Duration::from_secs(2);
 
 /// Most pixels in which edges are sought: they are in memory at once.
 const MOST_PIXELS: f64 = 1e9;
@@ -140,6 +144,18 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     Ok(())
 }
 
+/// Tells on the standard error how much of a search that takes its time is done.
+fn telling(name: &str) -> impl FnMut(f64) {
+    let (begun, mut shown) = (Instant::now(), 0);
+    move |share| {
+        let tenth = (10.0 * share) as usize;
+        if tenth > shown && begun.elapsed() > QUIET {
+            shown = tenth;
+            eprintln!("{:3} %  {name}", 10 * tenth);
+        }
+    }
+}
+
 /// Table by which photos are placed, and how they are looked for.
 struct PhotoLocating {
     table: ReferenceTable,
@@ -208,7 +224,8 @@ impl PhotoLocating {
             gsd: self.gsd,
         };
         let edges = PhotoEdges::of(&photo.camera, &photo.picture, &belief);
-        let found = edges.and_then(|edges| edges.place(&self.table));
+        let edges = edges.map_err(|why| why.to_string())?;
+        let found = edges.place_telling(&self.table, &mut telling(file.name()));
         let found = found.ok_or("the photo shows no straight edge")?;
         let probability = 100.0 * found.probability;
         if found.probability < BELIEVED {

@@ -102,6 +102,12 @@ fn a_photo_is_placed_by_the_edges_of_a_table_without_the_map() {
         all_around.contains("--heading-within has to be"),
         "{all_around}"
     );
+    // Some 2,400 million poses would take 19 GB, and hours.
+    let open = words(&format!(
+        "{known} --at-metres 131,118 --within 1000 --heading-within 179"
+    ));
+    let is_refused = open.contains("million poses") && open.contains("smaller --within");
+    assert!(is_refused, "{open}");
     // What nobody tells is asked for.
     for (given, missing) in [
         (known, "--at-metres"),

@@ -11,6 +11,6 @@ mod seen;
 mod tests;
 
 pub use field::EdgeField;
-pub use photo::{PhotoBelief, PhotoEdges};
+pub use photo::{PhotoBelief, PhotoEdges, PhotoEdgesError};
 pub use place::{EdgePlace, EdgePrior, place_by_edges};
 pub use seen::{EDGE, EDGE_GSD, EDGES, edges_in_map, edges_of_tile, edges_seen};

@@ -48,6 +48,8 @@ const USUAL_LENGTH: f64 = 10.0;
 /// Distance along an edge of places that are looked up, metres, and the least number of them.
 const LOOKED_UP: f64 = 2.0;
 const LEAST_LOOKED_UP: usize = 3;
+/// Most trials that are kept, rather than made once more: 64 MB.
+const KEPT: usize = 1 << 24;
 /// Places at most so far from the likeliest one are the same, metres.
 const SAME: f64 = 8.0;
 
@@ -60,54 +62,136 @@ pub fn place_by_edges(
     prior: &EdgePrior,
     field: &EdgeField,
 ) -> Option<EdgePlace> {
+    place_by_edges_telling(seen, prior, field, &mut |_| ())
+}
+
+/// As [`place_by_edges`]; `tell` is told the share that is done, many times.
+pub(super) fn place_by_edges_telling(
+    seen: &[GenericLandmark],
+    prior: &EdgePrior,
+    field: &EdgeField,
+    tell: &mut dyn FnMut(f64),
+) -> Option<EdgePlace> {
+    place_keeping(seen, prior, field, (KEPT, tell))
+}
+
+/// Number of places by headings and scales that are tried, and of comparisons with the table that they take.
+pub(super) fn look_ups(seen: &[GenericLandmark], prior: &EdgePrior) -> (f64, f64) {
+    let Trials { reach, turns, .. } = Trials::of(prior);
+    let side = 2.0 * reach as f64 + 1.0;
+    let trials = side * side * (2.0 * turns as f64 + 1.0) * f64::from(2 * SCALES + 1);
+    let of_each: f64 = seen.iter().map(|edge| parts_of(edge.size) as f64).sum();
+    (trials, trials * of_each)
+}
+
+/// Places, headings and scales that a belief allows.
+#[derive(Clone, Copy)]
+struct Trials<'p> {
+    prior: &'p EdgePrior,
+    /// Steps to the farthest place, and to the farthest heading.
+    reach: i64,
+    turns: i64,
+}
+
+impl<'p> Trials<'p> {
+    fn of(prior: &'p EdgePrior) -> Self {
+        Self {
+            prior,
+            reach: (FARTHEST * prior.deviation / STEP).ceil() as i64,
+            turns: (prior.turn / TURN).ceil() as i64,
+        }
+    }
+
+    fn side(&self) -> usize {
+        (2 * self.reach + 1) as usize
+    }
+
+    /// Numbers of headings and scales, those of a heading after each other.
+    fn poses(&self) -> usize {
+        (2 * self.turns + 1) as usize * (2 * SCALES + 1) as usize
+    }
+
+    fn scale(pose: usize) -> i32 {
+        pose as i32 % (2 * SCALES + 1) - SCALES
+    }
+
+    /// Sums of what the field says of all edges by a heading and a scale, for every place.
+    fn sums(&self, pose: usize, seen: &[GenericLandmark], field: &EdgeField, sums: &mut [f32]) {
+        let turn = (pose / (2 * SCALES + 1) as usize) as i64 - self.turns;
+        let yaw = turn as f64 * self.prior.turn / self.turns.max(1) as f64;
+        let grown = (deviations(Self::scale(pose)) * self.prior.log_height).exp();
+        sums.fill(0.0);
+        for edge in seen {
+            let reach = self.reach as i32;
+            add(sums, edge, self.prior.middle, (yaw, grown), field, reach);
+        }
+    }
+
+    fn shift(&self, place: usize) -> Vector2<f64> {
+        let (row, column) = (place / self.side(), place % self.side());
+        let steps = |index: usize| (index as i64 - self.reach) as f64;
+        Vector2::new(-steps(row), steps(column)) * STEP
+    }
+
+    /// Logarithm of the belief in a place and scale.
+    fn believed(&self, scale: i32, place: usize) -> f64 {
+        let place = self.shift(place).norm_squared() / self.prior.deviation.powi(2);
+        -0.5 * (place + deviations(scale).powi(2))
+    }
+}
+
+/// The place, with at most so many trials kept from the first time that all are made to the second.
+fn place_keeping(
+    seen: &[GenericLandmark],
+    prior: &EdgePrior,
+    field: &EdgeField,
+    (most_kept, tell): (usize, &mut dyn FnMut(f64)),
+) -> Option<EdgePlace> {
     if seen.is_empty() {
         return None;
     }
-    let reach = (FARTHEST * prior.deviation / STEP).ceil() as i32;
-    let side = (2 * reach + 1) as usize;
-    let turns = (prior.turn / TURN).ceil() as i32;
-    let mut trials: Vec<f64> = Vec::new();
-    let mut log_sum = vec![0.0_f32; side * side];
-    for turn in -turns..=turns {
-        let yaw = f64::from(turn) * prior.turn / f64::from(turns.max(1));
-        for scale in -SCALES..=SCALES {
-            let grown = (deviations(scale) * prior.log_height).exp();
-            log_sum.fill(0.0);
-            for edge in seen {
-                add(&mut log_sum, edge, prior.middle, (yaw, grown), field, reach);
-            }
-            trials.extend(log_sum.iter().map(|sum| f64::from(*sum) / TEMPERATURE));
-        }
-    }
-    let shift = |trial: usize| {
-        let place = (trial % (side * side)) as i32;
-        let (row, column) = (place / side as i32 - reach, place % side as i32 - reach);
-        Vector2::new(f64::from(-row), f64::from(column)) * STEP
-    };
-    let believed = |trial: usize| {
-        let scale = (trial / (side * side)) as i32 % (2 * SCALES + 1) - SCALES;
-        let place = shift(trial).norm_squared() / prior.deviation.powi(2);
-        -0.5 * (place + deviations(scale).powi(2))
-    };
+    let trials = Trials::of(prior);
+    let (places, poses) = (trials.side().pow(2), trials.poses());
+    let mut kept: Vec<f32> = Vec::new();
+    let is_kept = places.saturating_mul(poses) <= most_kept;
+    let rounds = if is_kept { 1.0 } else { 2.0 };
+    let mut sums = vec![0.0_f32; places];
     let (mut likeliest, mut top) = (0, f64::NEG_INFINITY);
-    for (trial, log) in trials.iter().enumerate() {
-        let log = log + believed(trial);
-        if log > top {
-            (likeliest, top) = (trial, log);
+    for pose in 0..poses {
+        trials.sums(pose, seen, field, &mut sums);
+        let scale = Trials::scale(pose);
+        for (place, sum) in sums.iter().enumerate() {
+            let log = f64::from(*sum) / TEMPERATURE + trials.believed(scale, place);
+            if log > top {
+                (likeliest, top) = (place, log);
+            }
         }
+        if is_kept {
+            kept.extend_from_slice(&sums);
+        }
+        tell((pose + 1) as f64 / (rounds * poses as f64));
     }
-    let likeliest = shift(likeliest);
+    let likeliest = trials.shift(likeliest);
     let (mut all, mut here, mut chance) = (0.0, 0.0, 0.0);
     let (mut first, mut second) = (Vector2::zeros(), Matrix2::zeros());
-    for (trial, log) in trials.iter().enumerate() {
-        let (shift, before) = (shift(trial), believed(trial));
-        let weight = (log + before - top).exp();
-        all += weight;
-        chance += before.exp();
-        if (shift - likeliest).norm() <= SAME {
-            here += weight;
-            first += shift * weight;
-            second += shift * shift.transpose() * weight;
+    for pose in 0..poses {
+        if is_kept {
+            sums.copy_from_slice(&kept[pose * places..][..places]);
+        } else {
+            trials.sums(pose, seen, field, &mut sums);
+            tell(0.5 + 0.5 * (pose + 1) as f64 / poses as f64);
+        }
+        let scale = Trials::scale(pose);
+        for (place, sum) in sums.iter().enumerate() {
+            let (shift, before) = (trials.shift(place), trials.believed(scale, place));
+            let weight = (f64::from(*sum) / TEMPERATURE + before - top).exp();
+            all += weight;
+            chance += before.exp();
+            if (shift - likeliest).norm() <= SAME {
+                here += weight;
+                first += shift * weight;
+                second += shift * shift.transpose() * weight;
+            }
         }
     }
     let mean = first / here;
@@ -117,6 +201,11 @@ pub fn place_by_edges(
         covariance: second / here - mean * mean.transpose() + Matrix2::identity() * own,
         probability: here / (all + chance * (-top).exp()),
     })
+}
+
+/// Number of places along an edge of that length that are looked up.
+fn parts_of(length: f64) -> usize {
+    ((length / LOOKED_UP) as usize).max(LEAST_LOOKED_UP)
 }
 
 /// Standard deviations by which a scale that is tried is off.
@@ -142,7 +231,7 @@ fn add(
     let channel = &field.log_ratios[number];
     let (sin, cos) = direction.sin_cos();
     let length = edge.size * grown;
-    let count = ((length / LOOKED_UP) as usize).max(LEAST_LOOKED_UP);
+    let count = parts_of(length);
     let share = (edge.size / USUAL_LENGTH).sqrt() as f32 / count as f32;
     let (width, height) = (channel.width() as i32, channel.height() as i32);
     let side = (2 * reach + 1) as usize;
@@ -174,5 +263,52 @@ fn add(
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::edges::EDGE;
+    use crate::{GenericClass, ReferenceTable};
+
+    #[test]
+    fn a_place_is_the_same_to_the_bit_whether_its_trials_are_kept_or_made_twice() {
+        let edge = |number: i32| {
+            let value = f64::from(number);
+            GenericLandmark {
+                place: GroundPoint::new(60.0 * (2.3 * value).sin(), 60.0 * (1.7 * value).cos()),
+                class: GenericClass::Other(0),
+                size: 6.0 + (5.1 * value).sin().abs() * 20.0,
+                orientation: (0.9 * value).rem_euclid(PI),
+                confidence: 1.0,
+                stability: 1.0,
+            }
+        };
+        let edges: Vec<GenericLandmark> = (0..60).map(edge).collect();
+        let table = ReferenceTable::new(edges.clone(), vec![EDGE.to_owned()]);
+        let field = EdgeField::around(GroundPoint::default(), 120.0, &table);
+        let prior = EdgePrior {
+            middle: GroundPoint::new(5.0, -3.0),
+            deviation: 8.0,
+            turn: 0.1,
+            log_height: 0.03,
+            map_deviation: 1.0,
+        };
+        let (mut told, mut last) = (0, 0.0);
+        let [kept, twice] = [KEPT, 0].map(|most| {
+            place_keeping(
+                &edges,
+                &prior,
+                &field,
+                (most, &mut |share| {
+                    assert!(share > 0.0 && share <= 1.0);
+                    (told, last) = (told + 1, share);
+                }),
+            )
+        });
+        assert!(kept.is_some() && kept == twice);
+        let poses = Trials::of(&prior).poses();
+        assert_eq!((told, last), (3 * poses, 1.0));
     }
 }

@@ -55,7 +55,8 @@ fn placed(
         map_deviation: MAP,
         gsd,
     };
-    PhotoEdges::of(&photo.camera, &photo.picture, &belief)?.place(table)
+    let edges = PhotoEdges::of(&photo.camera, &photo.picture, &belief).ok()?;
+    edges.place(table)
 }
 
 /// Every `each`-th photo of a place by the edges of its map, sought in pixels of `gsd` metres, its position off by `deviation` metres per axis; looked

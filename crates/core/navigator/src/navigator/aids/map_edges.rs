@@ -34,7 +34,8 @@ pub const INFO: AidInfo = AidInfo {
     label: "Edges of the map",
     description: "Straight ends of roofs, roads and fields in the picture, put in the place of the map where they fit \
                   together. They are the same on any day and for any camera, and no two are told apart: every place \
-                  that the belief allows is weighed by what all of them say.",
+                  that the belief allows is weighed by what all of them say. Pictures of more than 4 km of ground are not \
+                  looked at.",
     channels: &[],
     components: &[("north", "m"), ("east", "m")],
     tells_place: true,
@@ -112,7 +113,7 @@ impl MapEdges {
             map_deviation: 0.0,
             gsd: self.gsd,
         };
-        let edges = PhotoEdges::of(look.model.camera, look.picture, &belief)?;
+        let edges = PhotoEdges::of(look.model.camera, look.picture, &belief).ok()?;
         let prior = *edges.prior();
         let around = self.known.near(prior.middle, edges.reach());
         let table = ReferenceTable::new(around, vec![EDGE.to_owned()]);
