@@ -13,12 +13,14 @@ use super::road_sighting;
 use pilotage_mission::settings::ROAD_MAP;
 use pilotage_raster::imagery::Window;
 use pilotage_roads::{RoadFix, RoadFixSettings, RoadJoining, RoadMap, RoadSighting, fix_on_roads};
-use pilotage_vision::road::{NorthUpPicture, RoadDetection, RoadPoint};
+use pilotage_vision::road::{COARSEST_SEEN, NorthUpPicture, RoadDetection, RoadPoint};
 
 /// Metres a pixel at which roads are looked for.
 const GSD: f64 = 0.5;
 /// Ground that is looked at, as far as so many heights from below the camera.
 const FARTHEST_HEIGHTS: f64 = 2.0;
+/// And as far as this, metres: 16 million pixels at most.
+const FARTHEST: f64 = 1000.0;
 /// Least probability of a point that counts.
 const LEAST_PROBABILITY: f64 = 0.5;
 /// Least distance between points, metres: nearer ones err alike.
@@ -37,7 +39,9 @@ pub const INFO: AidInfo = AidInfo {
     label: "Roads",
     description: "Roads seen in the picture, laid on the roads of the mission. They tell the place across a road and the \
                   heading, and along it only where it bends or another one meets it; what they do not tell is left to \
-                  dead reckoning. No number of looks is surer than the map of the roads.",
+                  dead reckoning. No number of looks is surer than the map of the roads, except where the height is \
+                  estimated: there the map's error is taken to be another in every look. Pictures of which a pixel shows \
+                  more than 1.2 m are not looked at.",
     channels: &[],
     components: &[("best known", "m"), ("second", "m"), ("third", "m")],
     tells_place: true,
@@ -212,8 +216,10 @@ fn assumed_otherwise(
 
 /// Points on roads in the look's picture, on the ground under its pose, with the width of the road, metres.
 fn road_points(look: &AidLook<'_>) -> Vec<(RoadSighting, f64)> {
-    let farthest = FARTHEST_HEIGHTS * look.height();
     let model = &look.model;
+    let Some(farthest) = farthest(look.height(), model.camera.focal) else {
+        return Vec::new();
+    };
     let ground = NorthUpPicture::of(
         model.camera,
         &look.pose,
@@ -235,6 +241,13 @@ fn road_points(look: &AidLook<'_>) -> Vec<(RoadSighting, f64)> {
         }
     }
     kept
+}
+
+/// Distance from below the camera to which roads are looked for from that height, metres. `None` where every pixel shows too
+/// much for a road.
+fn farthest(height: f64, focal: f64) -> Option<f64> {
+    let is_seen = height <= COARSEST_SEEN * focal;
+    is_seen.then(|| FARTHEST.min(FARTHEST_HEIGHTS * height))
 }
 
 fn sighting(window: &Window, point: &RoadPoint) -> RoadSighting {
@@ -370,6 +383,20 @@ mod tests {
     fn a_hundred_looks_are_no_surer_than_the_map() {
         let (_, after, _) = corrected(3.0, 100);
         assert!((8.0..9.5).contains(&after[1]), "{after:?}");
+    }
+
+    #[test]
+    fn roads_are_looked_for_as_far_as_pixels_show_them() {
+        // A camera of 60° with 640 pixels across: all of it from 1000 ft, nothing from where a pixel shows 2.7 m.
+        let focal = CameraModel::pinhole(640, 480, 60_f64.to_radians()).focal;
+        assert_eq!(farthest(305.0, focal), Some(610.0));
+        assert_eq!(farthest(550.0, focal), Some(1000.0));
+        assert_eq!(farthest(1500.0, focal), None);
+        assert_eq!(farthest(f64::NAN, focal), None);
+        for height in [100.0, 1000.0, 3000.0, 20e3] {
+            let side = 2.0 * farthest(height, 20e3).unwrap() / GSD;
+            assert!(side * side <= 16e6, "{height} m: {side} pixels");
+        }
     }
 
     #[test]
