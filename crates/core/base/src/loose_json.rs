@@ -1,8 +1,12 @@
 //! JSON as programs write it that do not ask whether a number is one: `NaN` and `Infinity` (Python's `json`, R) are
 //! no JSON.
 
+/// The value in the place of one that is no number.
+const NULL: &str = "null";
+
 /// `json` without its numbers that are none, and how many these were; `None` if it has none. A value becomes `null`;
-/// in a list behind another value, such as the height of a place, it is left out with its comma. Lines stay as they are.
+/// at the end of a list behind another value, such as the height of a place, it is left out with its comma. Lines stay
+/// as they are, and so do the places in them but behind a `NaN` without a blank before it.
 ///
 /// ```
 /// use pilotage_base::loose_json::without_not_a_number;
@@ -28,8 +32,15 @@ pub fn without_not_a_number(json: &str) -> Option<(String, usize)> {
                 length => {
                     count += 1;
                     let is_in_list = lists.last() == Some(&true);
-                    if !(is_in_list && take_comma(&mut out)) {
-                        out.push_str("null");
+                    let is_last = ends_the_list(&rest[length..]);
+                    if is_in_list && is_last && take_comma(&mut out) {
+                        out.extend(std::iter::repeat_n(' ', length));
+                    } else {
+                        if length < NULL.len() && out.ends_with(' ') {
+                            out.pop();
+                        }
+                        out.push_str(NULL);
+                        out.extend(std::iter::repeat_n(' ', length.saturating_sub(NULL.len())));
                     }
                     rest = &rest[length..];
                     continue;
@@ -74,6 +85,23 @@ fn length_of_none(rest: &str) -> usize {
         .map_or(0, |word| word.len())
 }
 
+/// Whether nothing but numbers that are none stands before the end of the list that `rest` is in.
+fn ends_the_list(mut rest: &str) -> bool {
+    loop {
+        rest = rest.trim_start();
+        if rest.starts_with(']') {
+            return true;
+        }
+        let Some(behind) = rest.strip_prefix(',').map(str::trim_start) else {
+            return false;
+        };
+        match length_of_none(behind) {
+            0 => return false,
+            length => rest = &behind[length..],
+        }
+    }
+}
+
 /// Takes the comma away with which `out` ends, blanks aside; whether there was one.
 fn take_comma(out: &mut String) -> bool {
     let kept = out.trim_end();
@@ -96,7 +124,16 @@ mod tests {
     #[test]
     fn lists_lose_what_is_no_number_and_members_become_null() {
         assert_eq!(clean("[1, NaN]"), serde_json::json!([1]));
-        assert_eq!(clean("[1,\n -Infinity , 3]"), serde_json::json!([1, 3]));
+        // What comes behind it stays where it is: a height is no latitude.
+        assert_eq!(
+            clean("[8.5,\n NaN , 40]"),
+            serde_json::json!([8.5, null, 40])
+        );
+        assert_eq!(clean("[1, NaN, -Infinity ]"), serde_json::json!([1]));
+        assert_eq!(
+            clean("[1, NaN, [NaN]]"),
+            serde_json::json!([1, null, [null]])
+        );
         assert_eq!(clean("[NaN, NaN]"), serde_json::json!([null]));
         assert_eq!(
             clean(r#"[{"a": Infinity, "b": [{"c": -NaN}]}]"#),
@@ -110,6 +147,15 @@ mod tests {
         let (json, count) = without_not_a_number(told).unwrap();
         assert_eq!(count, 1);
         assert_eq!(json.lines().count(), told.lines().count());
+        for told in [
+            "[1, NaN] @",
+            "[1,-Infinity] @",
+            "{\"a\": NaN} @",
+            "{\"a\":Infinity} @",
+        ] {
+            let (json, _) = without_not_a_number(told).unwrap();
+            assert_eq!(json.find('@'), told.find('@'), "{json}");
+        }
         assert_eq!(clean(told)["é"], serde_json::json!([2]));
         assert_eq!(without_not_a_number("\"open NaN"), None);
         assert_eq!(without_not_a_number(""), None);

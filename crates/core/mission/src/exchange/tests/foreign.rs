@@ -64,6 +64,11 @@ fn numbers_that_are_none_are_missing_and_lose_nothing_else() {
     assert_eq!(names.collect::<Vec<_>>(), ["NaN", "b"]);
     let notes = read.notes.join("; ");
     assert!(notes.contains("3 of the numbers are none"), "{notes}");
+    let between = told.replace("[8.51, 47.41]", "[8.51, NaN, 47.41]");
+    assert!(
+        read_any("gaps.geojson", between.as_bytes(), None).is_err(),
+        "a height is no latitude"
+    );
     let with_a_place = told.replace("[8.51,", "[NaN,");
     let error = read_any("gaps.geojson", with_a_place.as_bytes(), None).unwrap_err();
     assert!(error.to_string().contains("line 4"), "{error}");
