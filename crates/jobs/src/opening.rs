@@ -315,15 +315,18 @@ pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<D
     Ok(Some(dem))
 }
 
-/// The mission among the files, which any GeoJSON is if `is_any`.
+/// The mission among the files: one that says so, or else any GeoJSON if `is_any`.
 fn mission(pool: &dyn FileSet, is_any: bool) -> Result<Option<Mission>, String> {
     let names = names_ending_in(pool, &["json", "geojson"]);
-    let found = names.into_iter().find_map(|name| {
-        let bytes = pool.read(&name).unwrap_or_default();
-        let is_one = is_mission(&name, &bytes) || is_any && has_ending(&name, &["geojson"]);
-        is_one.then_some((name, bytes))
-    });
-    let Some((name, bytes)) = found else {
+    let read = |name: &String| (name.clone(), pool.read(name).unwrap_or_default());
+    let mut all = names.iter().map(read);
+    let own = all.find(|(name, bytes)| is_mission(name, bytes));
+    let any = || {
+        names
+            .iter()
+            .find(|name| is_any && has_ending(name, &["geojson"]))
+    };
+    let Some((name, bytes)) = own.or_else(|| any().map(read)) else {
         return Ok(None);
     };
     if let Some(head) = pool.read(PACKAGE_HEAD) {
@@ -391,6 +394,7 @@ fn describe_terrain(dem: &Dem) -> TerrainInfo {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::flight::files::MemoryFiles;
     use pilotage_core::mission::write_mission;
     use pilotage_core::raster::Picture;
     use pilotage_tests::pmtiles::archive_of_one_tile;
@@ -414,6 +418,24 @@ mod tests {
     fn picture() -> Vec<u8> {
         let picture = pilotage_core::raster::Picture::filled(40, 20, [90, 120, 60]);
         pilotage_core::raster::encode_png(&picture).unwrap()
+    }
+
+    #[test]
+    fn a_mission_that_says_so_comes_before_other_geojson_whatever_their_names() {
+        let origin = Geodetic::from_degrees(47.0, 8.0, 0.0);
+        let ours = write_mission(&Mission::new("ours".to_owned(), origin));
+        let fence = br#"{"type": "FeatureCollection", "features": []}"#.to_vec();
+        let files = MemoryFiles(
+            [
+                ("fence.geojson".to_owned(), fence),
+                ("mission.geojson".to_owned(), ours.into_bytes()),
+            ]
+            .into(),
+        );
+        for is_folder in [false, true] {
+            let found = mission_beside_flight(&files, is_folder).unwrap();
+            assert_eq!(found.unwrap().name, "ours");
+        }
     }
 
     #[test]
