@@ -49,10 +49,14 @@ pub fn samples(log: &Log, name: &SeriesName) -> Result<TimedSamples, String> {
 /// assert_eq!(values_along(&samples, &[0.5, 2.5, 3.0]), [None, Some(5.0), Some(7.0)]);
 /// ```
 pub fn values_along(samples: &TimedSamples, times: &[f64]) -> Vec<Option<f64>> {
+    let all = samples.times.iter().zip(&samples.values);
+    let told: Vec<(f64, f64)> = all
+        .filter(|(_, value)| !value.is_nan())
+        .map(|(time, value)| (*time, *value))
+        .collect();
     let at = |time: &f64| {
-        let after = samples.times.partition_point(|t| *t <= time + SAME_TIME);
-        let before = samples.values.get(..after)?;
-        before.iter().rev().copied().find(|value| !value.is_nan())
+        let after = told.partition_point(|(t, _)| *t <= time + SAME_TIME);
+        Some(told[..after].last()?.1)
     };
     times.iter().map(at).collect()
 }
