@@ -134,7 +134,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         RoadParts::new(lines, &sought).map_err(|why| format!("{}: {why}", arguments.map))?;
     let belief = searched(parts, (first, then), settings)?;
     if belief.left > 0 {
-        println!(
+        eprintln!(
             "{} of {} poses were looked at, those of the rarest pairs of crossings; --heading-within leaves fewer",
             belief.tried,
             belief.tried + belief.left
@@ -166,6 +166,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     Ok(())
 }
 
+/// Memory for all parts that are searched at the same time, bytes.
+const MEMORY: f64 = 4e9;
+
 /// Belief over all parts, each searched by a thread of its own.
 fn searched(
     parts: RoadParts,
@@ -183,7 +186,9 @@ fn searched(
     let orders = (0..count).map(order).collect();
     let mut shares = vec![LostShare::default(); count];
     let (mut done, mut shown) = (0, 0);
-    let threads = workers::processors();
+    // A square of a county, with all that its views reach, takes up to gigabytes.
+    let at_once = (MEMORY / parts.bytes_at_once()) as usize;
+    let threads = workers::processors().min(at_once.max(1));
     workers::run_as_done(threads, orders, &Lent::default(), &mut |part, event| {
         match event {
             JobEvent::Failed(why) => return Err(why),

@@ -64,8 +64,8 @@ impl fmt::Display for RoadIndexError {
             ),
             Self::TooFarAlong { reach, most } => write!(
                 f,
-                "the views and the ways between them reach {reach:.0} km from the last of them, and on a map of more than \
-                 100 km² at most {most:.0} km can be searched; leave out the first views"
+                "the views and the ways between them reach {reach:.0} km from the last of them, and around a place, or on a \
+                 map of more than 100 km², at most {most:.0} km can be searched; leave out the first views"
             ),
             Self::TooFarApart { north, east, most } => write!(
                 f,
