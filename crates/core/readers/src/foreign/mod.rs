@@ -77,6 +77,7 @@ mod tests {
             (b"#ROSBAG V2.0\n".to_vec(), "ROS 1"),
             (b"SQLite format 3\0".to_vec(), "SQLite"),
             (b"\xd3\0\x13\x3e\xd0".to_vec(), "RTCM"),
+            (b"\xd3\x01\x2a\x43\x50".to_vec(), "RTCM"),
             (b"\x7e\0\x81\x41\xdb\xd0\x08\x02\xb3\x8b\x7e".to_vec(), "GDL 90"),
             (b"A\r\n4\r\nACFT, Aircraft/".to_vec(), "X-Plane"),
             (b"\0\x01\0\0Standard Jet DB\0".to_vec(), "Access"),

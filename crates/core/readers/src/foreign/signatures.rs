@@ -32,6 +32,22 @@ const fn mark_at(
     }
 }
 
+/// Kind of a recording that begins with a message: its number stands behind its length, or its end where it has to be.
+const fn message(
+    begins: &'static [u8],
+    offset: usize,
+    bytes: &'static [u8],
+    what: &'static str,
+    advice: &'static str,
+) -> FileSignature {
+    FileSignature {
+        begins,
+        offset,
+        bytes,
+        is: kind(what, advice),
+    }
+}
+
 /// Kind of a RIFF file: its word stands behind the length.
 const fn riff(bytes: &'static [u8], what: &'static str, advice: &'static str) -> FileSignature {
     FileSignature {
@@ -51,6 +67,7 @@ const TO_MAT: &str = "save it with `save('file.mat', '-v7')`, or its tables as C
 const NETWORK: &str = "open the telemetry log that the ground station wrote";
 const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open that";
 const GPX_OF: &str = "make a GPX or CSV of it (gpsbabel) and open that";
+const CORRECTIONS: &str = "open the log of the aircraft, or what the receiver recorded";
 const FDR: &str = "keep its DATA rows under a row of their names as CSV and open that";
 const MAP: &str = "open it as a map";
 const TIFF: &str = "open it as a map; photos with places are read from JPEG and PNG: save them so";
@@ -69,8 +86,14 @@ const MARKS: &[FileSignature] = &[
     mark(&[0xb5, 0x62], "a recording of a u-blox receiver (UBX)", RECEIVER),
     mark(b"$@", "a recording of a Septentrio receiver (SBF)", RECEIVER),
     mark(&[0xaa, 0x44, 0x12], "a recording of a NovAtel receiver", RECEIVER),
-    mark(&[0xd3, 0], "corrections of satellite navigation (RTCM)", "open the log of the aircraft, or what the receiver recorded"),
-    mark(&[0x7e, 0], "a recording of a traffic receiver (GDL 90)", GPX_OF),
+    message(&[0xd3], 3, &[0x3e], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0xd3], 3, &[0x3f], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0xd3], 3, &[0x43], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0xd3], 3, &[0x44], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0xd3], 3, &[0x45], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0xd3], 3, &[0x46], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0xd3], 3, &[0x4c], "corrections of satellite navigation (RTCM)", CORRECTIONS),
+    message(&[0x7e, 0], 10, &[0x7e], "a recording of a traffic receiver (GDL 90)", GPX_OF),
     mark(b"A\n4\n", "a flight data recording of X-Plane (.fdr)", FDR),
     mark(b"A\r\n4\r\n", "a flight data recording of X-Plane (.fdr)", FDR),
     mark(b"A\n3\n", "a flight data recording of X-Plane (.fdr)", FDR),
