@@ -282,6 +282,8 @@ mod tests {
         let reach = reached(&["www/worker.js", "crates/core/readers/src/lib.rs"]);
         assert!(reach.page);
         assert_eq!(reach.tags, None);
-        assert!(reached(&["index.html"]).packages.is_empty());
+        for file in ["index.html", "www/style.css", "www/sw.js"] {
+            assert!(reached(&[file]).packages.is_empty(), "{file}");
+        }
     }
 }
