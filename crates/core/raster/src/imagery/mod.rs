@@ -129,7 +129,7 @@ pub trait Imagery: Send + Sync {
     /// Whether a coarser window of the same ground costs less than a fine one. Not so for ground that
     /// is made as it is looked at: a coarse pixel is the mean of many fine ones.
     fn is_coarse_cheap(&self) -> bool {
-        self.source().is_none_or(|source| source.is_coarse_cheap())
+        self.source().is_none_or(Imagery::is_coarse_cheap)
     }
 
     /// The window without waiting for what takes long: what is not there yet is transparent. Also
@@ -152,7 +152,7 @@ pub trait Imagery: Send + Sync {
 
     /// Parts that could not be read and are shown as empty, in words: the first few, each once.
     fn problems(&self) -> Vec<String> {
-        self.source().map_or_else(Vec::new, |it| it.problems())
+        self.source().map_or_else(Vec::new, Imagery::problems)
     }
 }
 

@@ -63,9 +63,8 @@ fn the_pictures_of_the_run_before_are_not_shown_for_the_match_of_now() {
     let (time, landmark) = harness.state().view.0.wanted().unwrap();
     harness.state_mut().view.1 = Some((1, match_pictures(time, landmark)));
     harness.run();
-    let shown = |harness: &Harness<'static, Shown<WithPictures>>| {
-        harness.state().view.0.textures.ids()
-    };
+    let shown =
+        |harness: &Harness<'static, Shown<WithPictures>>| harness.state().view.0.textures.ids();
     let before = shown(&harness);
     assert_eq!(before.len(), 3);
     harness.run();
