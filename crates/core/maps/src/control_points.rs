@@ -2,6 +2,8 @@
 //! brought to degrees on WGS 84.
 
 use pilotage_base::frames::ReferenceSystem;
+use pilotage_base::text::csv_cell;
+use pilotage_mission::exchange::cells_of_row;
 
 use crate::geojson_system::geojson_in_degrees;
 use crate::grid_columns::grid_in_degrees;
@@ -85,29 +87,35 @@ fn of_open_drone_map(text: &str, system: &ReferenceSystem) -> Option<String> {
     has_places.then(|| format!("EPSG:4326\n{rows}"))
 }
 
-/// `#Label,X/Easting,Y/Northing,Z/Altitude` and its rows.
+/// `#Label,X/Easting,Y/Northing,Z/Altitude` and its rows, as a table with commas.
 fn of_metashape(text: &str, system: &ReferenceSystem) -> Option<String> {
-    let head = text.lines().take(HEAD);
-    let names = head.clone().find(|line| line.contains("X/Easting"))?;
-    let seam = [',', ';', '\t'].into_iter().find(|c| names.contains(*c))?;
-    let cells: Vec<&str> = names.split(seam).map(str::trim).collect();
-    let find = |wanted: &str| cells.iter().position(|name| *name == wanted);
-    let (x, y) = (find("X/Easting")?, find("Y/Northing")?);
+    let of = |name: &str, wanted: &str| name.eq_ignore_ascii_case(wanted);
+    let found = text.lines().take(HEAD).find_map(|line| {
+        let seam = [',', ';', '\t'].into_iter().find(|c| line.contains(*c))?;
+        let names = cells_of_row(line, seam);
+        let find = |wanted: &str| names.iter().position(|name| of(name, wanted));
+        let (x, y) = (find("X/Easting")?, find("Y/Northing")?);
+        Some((line, seam, names, [x, y]))
+    });
+    let (head, seam, mut names, [x, y]) = found?;
+    "X/Longitude".clone_into(&mut names[x]);
+    "Y/Latitude".clone_into(&mut names[y]);
     let mut has_places = false;
     let line = |line: &str| {
-        if line == names {
-            let line = line.replace("X/Easting", "X/Longitude");
-            return line.replace("Y/Northing", "Y/Latitude") + "\n";
+        if line == head {
+            return names.join(",") + "\n";
         }
-        let mut cells: Vec<&str> = line.split(seam).map(str::trim).collect();
-        let pair = cells.get(x).zip(cells.get(y));
-        let place = pair.and_then(|(x, y)| degrees(system, x, y));
-        let Some([longitude, latitude]) = place.as_ref().filter(|_| !line.starts_with('#')) else {
+        if line.starts_with('#') {
             return line.to_owned() + "\n";
-        };
-        has_places = true;
-        (cells[x], cells[y]) = (longitude, latitude);
-        cells.join(&seam.to_string()) + "\n"
+        }
+        let mut cells = cells_of_row(line, seam);
+        let pair = cells.get(x).zip(cells.get(y));
+        if let Some([longitude, latitude]) = pair.and_then(|(x, y)| degrees(system, x, y)) {
+            has_places = true;
+            (cells[x], cells[y]) = (longitude, latitude);
+        }
+        let cells: Vec<String> = cells.iter().map(|cell| csv_cell(cell)).collect();
+        cells.join(",") + "\n"
     };
     let rows: String = text.lines().skip(1).map(line).collect();
     has_places.then(|| format!("# CoordinateSystem: WGS 84 (EPSG::4326)\n{rows}"))
@@ -131,6 +139,19 @@ mod tests {
         let right =
             "#Label,X/Longitude,Y/Latitude,Z/Altitude\n924-01,9.2624835003,60.2695102741,220.1";
         assert_eq!(rows(table), right);
+        // Seams within quotation marks, decimal commas, names in other letters.
+        for (table, label) in [
+            (
+                "#CoordinateSystem: EPSG::25832\n#Label,X/Easting,Y/Northing,Z/Altitude\n\"P, 1\",514521.45,6681455.436,220.1\n",
+                "\"P, 1\"",
+            ),
+            (
+                "#CoordinateSystem: EPSG::25832\n#Label;X/easting;Y/northing;Z/Altitude\nP 1;514521,45;6681455,436;220,1\n",
+                "P 1",
+            ),
+        ] {
+            assert_eq!(rows(table), right.replace("924-01", label));
+        }
     }
 
     #[test]

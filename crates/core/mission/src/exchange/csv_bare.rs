@@ -221,7 +221,7 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
         if line.trim().is_empty() || line.trim_start().starts_with('#') {
             continue;
         }
-        let mut cells = split(line, seam);
+        let mut cells = cells_of_row(line, seam);
         if let Some((longitude, latitude)) = cells
             .get(x)
             .zip(cells.get(y))
@@ -298,8 +298,15 @@ fn without_letters(mut cells: Vec<String>) -> Vec<String> {
     cells
 }
 
-/// The cells of a line, a number with a point before its decimals.
-fn split(line: &str, seam: char) -> Vec<String> {
+/// The cells of a line of a table, without the quotation marks around them, a number between semicolons with a point before
+/// its decimals.
+///
+/// ```
+/// use pilotage_mission::exchange::cells_of_row;
+///
+/// assert_eq!(cells_of_row("\"P; 1\"; 8,5;x", ';'), ["P; 1", "8.5", "x"]);
+/// ```
+pub fn cells_of_row(line: &str, seam: char) -> Vec<String> {
     if seam == ' ' {
         return line.split_whitespace().map(str::to_owned).collect();
     }
@@ -398,8 +405,9 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
         .clone()
         .find(|seam| first.contains(*seam))
         .unwrap_or(' ');
-    let rows = lines()
-        .map(|line| is_told(&line).then(|| row_of(&without_letters(split(line, seam)), seam)));
+    let rows = lines().map(|line| {
+        is_told(&line).then(|| row_of(&without_letters(cells_of_row(line, seam)), seam))
+    });
     let rows: Vec<Option<Option<Row>>> = rows.collect();
     let told: Option<Vec<&Row>> = rows.iter().flatten().map(Option::as_ref).collect();
     let Some(told) = told.filter(|rows| !rows.is_empty()) else {

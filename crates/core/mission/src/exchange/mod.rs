@@ -68,6 +68,7 @@ mod write;
 mod written;
 mod xml;
 
+pub use csv_bare::cells_of_row;
 pub use error::ExchangeError;
 pub use flown::write_flown;
 pub use flown_track::{FlownPoint, FlownTrack, FlownValues};
