@@ -75,6 +75,8 @@ pub struct ScriptedHost {
     pub owners: JobOwners,
     /// Jobs cancelled.
     pub cancelled: Vec<JobId>,
+    /// Jobs whose last event was handed over.
+    pub over: HashSet<JobId>,
     /// Jobs told to keep their place, or to go on.
     pub held: Vec<(JobId, bool)>,
     /// Films: `begun`, and the names of those that ended.
@@ -591,7 +593,10 @@ impl Host for ScriptedHost {
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {
-        std::mem::take(&mut self.events)
+        let events = std::mem::take(&mut self.events);
+        let last = events.iter().filter(|(_, event)| event.is_last());
+        self.over.extend(last.map(|(id, _)| *id));
+        events
     }
 
     fn opened(&mut self) -> Vec<Vec<OpenedFile>> {
