@@ -207,7 +207,7 @@ fn numbers_of(info: &AidInfo) -> String {
 }
 
 fn set_vehicle(settings: &mut NavigatorSettings, value: &str) -> Result<(), String> {
-    settings.vehicle = VehicleChoice::from_key(value).map_err(|why| why.clone())?;
+    settings.vehicle = VehicleChoice::from_key(value)?;
     Ok(())
 }
 
