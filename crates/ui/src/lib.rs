@@ -13,6 +13,7 @@ pub mod export_command;
 pub mod feature;
 pub mod feature_command;
 pub mod feature_wishes;
+pub mod feature_work;
 pub mod host;
 pub mod job_owners;
 pub mod kept_mesh;

@@ -160,6 +160,7 @@ const UI: FolderOrder = FolderOrder {
         "map",
         "feature_wishes",
         "feature",
+        "feature_work",
         "explanations",
         // Features on which others stand.
         "plan",

@@ -13,9 +13,8 @@ use super::work::{CameraLog, Missing};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature::{
-    Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FeatureWork,
-};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature_work::FeatureWork;
 use crate::map::{MapLayer, ScreenFromWorld, paint_tried_footprint};
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 use crate::state_json::object;

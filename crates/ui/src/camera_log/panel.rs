@@ -9,7 +9,7 @@ use super::numbers;
 use super::work::{CameraLog, Missing, ResidualPreview};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::feature::FeatureWork;
+use crate::feature_work::FeatureWork;
 use crate::shell::{NumberField, at_work, caption, muted, text_button, title};
 use crate::views::{parts, table};
 

@@ -7,7 +7,7 @@ use pilotage_jobs::ContestOrder;
 use super::command::CompareCommand;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature::FeatureWork;
+use crate::feature_work::FeatureWork;
 use crate::shell::{at_work, counted, text_button};
 use crate::views::{parts, table};
 

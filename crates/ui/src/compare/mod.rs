@@ -16,9 +16,8 @@ use serde_json::{Value, json};
 
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature::{
-    Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FeatureWork,
-};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature_work::FeatureWork;
 use crate::map::MapLayer;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 

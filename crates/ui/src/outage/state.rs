@@ -5,8 +5,8 @@ use pilotage_jobs::{OutageReport, StudyReport};
 
 use crate::command::Command;
 use crate::documents::Documents;
-use crate::feature::FeatureWork;
 use crate::feature_command::{FeatureCommand, FeatureId};
+use crate::feature_work::FeatureWork;
 
 /// Identity of the feature.
 pub const ID: FeatureId = "outage";

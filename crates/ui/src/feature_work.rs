@@ -1,0 +1,59 @@
+//! The job that a feature has under way, where it has one at a time.
+
+use pilotage_jobs::{Job, JobEvent, JobId};
+
+use crate::feature::FeatureContext;
+
+/// Job that a feature has under way, as its panel tells of it.
+#[derive(Debug, Default)]
+pub struct FeatureWork {
+    /// The job, while it is under way.
+    pub job: Option<JobId>,
+    /// Progress in words, while the job is under way.
+    pub words: Option<String>,
+    /// Why the last one failed.
+    pub trouble: Option<String>,
+    /// Remarks of the last one.
+    pub remarks: Vec<String>,
+}
+
+impl FeatureWork {
+    /// Starts a job in the place of the one under way.
+    pub fn begin(&mut self, words: String, job: Job, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        *self = Self {
+            job: Some(context.start(job)),
+            words: Some(words),
+            ..Self::default()
+        };
+    }
+
+    /// Takes an event of the job: progress, failure and end; results are its owner's. False if it is of another job.
+    pub fn take(&mut self, job: JobId, event: &JobEvent) -> bool {
+        if self.job != Some(job) {
+            return false;
+        }
+        match event {
+            JobEvent::Progress(share, words) => {
+                self.words = Some(format!("{words}: {:.0} %", 100.0 * share));
+            }
+            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
+            JobEvent::Remark(text) => self.remarks.push(text.clone()),
+            _ => {}
+        }
+        if event.is_last() {
+            (self.job, self.words) = (None, None);
+        }
+        true
+    }
+
+    /// Stops the job under way; whether there was one.
+    pub fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        self.words = None;
+        let job = self.job.take();
+        if let Some(job) = job {
+            context.cancel(job);
+        }
+        job.is_some()
+    }
+}
