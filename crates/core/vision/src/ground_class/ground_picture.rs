@@ -10,8 +10,11 @@ use pilotage_raster::raster::{Picture, Raster, Rgb, Rgba};
 /// Farthest ground that is shown, in heights above it: beyond, a pixel of the camera shows too much.
 const FARTHEST_HEIGHTS: f64 = 1.5;
 
+/// Pixels of ground at most: at 0.75 m each 13 km², for which what is found out of them takes some hundred megabytes.
+const MOST_PIXELS: usize = 24_000_000;
+
 /// The ground that `picture` shows, `gsd` metres per pixel, by the assumed `pose` over level ground; clear where the
-/// camera saw nothing. `None` where it looks past the horizon.
+/// camera saw nothing. `None` where it looks past the horizon, or at more than 24 million pixels of ground.
 pub fn ground_picture(
     camera: &CameraModel,
     pose: &Pose,
@@ -22,6 +25,9 @@ pub fn ground_picture(
     let height = ground_down - pose.position_in_world.z;
     let outline = camera.footprint_within(pose, ground_down, FARTHEST_HEIGHTS * height);
     let window = Window::covering(&GroundRect::around(outline)?, gsd);
+    if window.width.saturating_mul(window.height) > MOST_PIXELS {
+        return None;
+    }
     let rotation = camera.camera_from_world(pose);
     let in_camera = |x: f64, y: f64| {
         let ground = window.ground_at(x, y);

@@ -24,7 +24,7 @@ pub const INFO: AidInfo = AidInfo {
     label: "Generic landmarks",
     description: "Buildings, trees, waters and paved places that the camera sees, paired with those of the map by \
                   their arrangement. None is told from another by itself: pairs are believed that agree with each \
-                  other, and they give one place together.",
+                  other, and they give one place together. Pictures of more than 13 km² of ground are not looked at.",
     channels: &[],
     components: &[("north", "m"), ("east", "m")],
     tells_place: true,

@@ -34,8 +34,9 @@ pub const INFO: AidInfo = AidInfo {
     label: "Edges of the map",
     description: "Straight ends of roofs, roads and fields in the picture, put in the place of the map where they fit \
                   together. They are the same on any day and for any camera, and no two are told apart: every place \
-                  that the belief allows is weighed by what all of them say. Pictures of more than 4 km of ground are not \
-                  looked at.",
+                  that the belief allows is weighed by what all of them say. Pictures are not looked at whose \
+                  ground reaches farther than 2 km from its middle or has more than 30 million pixels of the size that is \
+                  set here, nor where the heading is known so badly that too many places are to be compared.",
     channels: &[],
     components: &[("north", "m"), ("east", "m")],
     tells_place: true,
