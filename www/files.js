@@ -33,6 +33,7 @@ const ofSystem = (error) => `The browser could not read it: ${String(error?.mess
 /** Why a file that is not read by pieces is none of use, if it is too large for that. */
 function tooLarge(path, { size }) {
   if (size <= WHOLE || isReadByPieces(path) || isFilm(path)) return undefined;
+  if (/\.(avi|wmv|mpe?g|flv|m2?ts|ts|3gp|ogv|vob)$/i.test(path)) return "Films of this kind are not read. Convert it to MP4 (H.264), and open that.";
   const advice = /\.(zip|tar|tgz|gz)$/i.test(path) ? "Unpack it, and open the folder." : "Open a part of it.";
   return `It has ${(size / WHOLE).toFixed(1)} GiB, and files of its kind are read at once, up to 1 GiB. ${advice}`;
 }
