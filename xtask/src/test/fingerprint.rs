@@ -78,6 +78,26 @@ pub fn of_files(places: &[PathBuf], counts: &dyn Fn(&Path) -> bool) -> Option<St
     Some(format!("{:016x}", hasher.finish()))
 }
 
+/// Tells which files lie below `folder`, and of how many bytes each is and when it was written, from what it was.
+pub fn of_listing(folder: &Path) -> String {
+    fn hash_all(folder: &Path, hasher: &mut DefaultHasher) {
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        let mut entries: Vec<_> = entries.collect();
+        entries.sort_by_key(fs::DirEntry::file_name);
+        for entry in entries {
+            entry.file_name().hash(hasher);
+            match fs::metadata(entry.path()) {
+                Ok(told) if told.is_dir() => hash_all(&entry.path(), hasher),
+                Ok(told) => (told.len(), told.modified().ok()).hash(hasher),
+                Err(_) => {}
+            }
+        }
+    }
+    let mut hasher = DefaultHasher::new();
+    hash_all(folder, &mut hasher);
+    format!("{:016x}", hasher.finish())
+}
+
 fn is_run_or_read(kind: SectionKind) -> bool {
     matches!(
         kind,
@@ -95,6 +115,20 @@ fn is_run_or_read(kind: SectionKind) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_listing_is_known_by_its_files() {
+        let folder = std::env::temp_dir().join(format!("pilotage-listing-{}", std::process::id()));
+        let none = of_listing(&folder);
+        fs::create_dir_all(folder.join("site")).unwrap();
+        fs::write(folder.join("site/flight.csv"), "t").unwrap();
+        let one = of_listing(&folder);
+        assert_ne!(one, none);
+        assert_eq!(of_listing(&folder), one);
+        fs::write(folder.join("site/other.csv"), "t").unwrap();
+        assert_ne!(of_listing(&folder), one);
+        fs::remove_dir_all(&folder).unwrap();
+    }
 
     #[test]
     fn a_program_is_known_by_its_code_and_not_by_what_stands_behind_it() {

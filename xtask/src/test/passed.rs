@@ -49,18 +49,23 @@ pub struct Print {
 
 /// The sources of the packages that link all others, by their folders, taken before anything is built of them: what is
 /// edited meanwhile was not tested.
-pub struct Sources(BTreeMap<PathBuf, Option<String>>);
+pub struct Sources {
+    folders: BTreeMap<PathBuf, Option<String>>,
+    /// Print of the recorded data, without which many tests do nothing, and pass.
+    recorded: String,
+}
 
 impl Sources {
     /// Sources as they are, of the packages in `folders`.
     pub fn of(folders: impl IntoIterator<Item = PathBuf>) -> Self {
         let print = |folder: &PathBuf| fingerprint::of_files(slice::from_ref(folder), &|_| true);
         let folders = folders.into_iter();
-        Self(
-            folders
+        Self {
+            folders: folders
                 .map(|folder| (folder.clone(), print(&folder)))
                 .collect(),
-        )
+            recorded: fingerprint::of_listing(&places::recorded_data()),
+        }
     }
 
     /// The print of `one`, which was built just now.
@@ -78,13 +83,11 @@ impl Sources {
             file.extension().is_none_or(|ending| ending != "rs") && !file.starts_with(&journeys)
         };
         let own = fingerprint::of_files(slice::from_ref(&one.folder), &is_data);
-        // Without the recorded data many tests do nothing, and pass.
-        let recorded = places::recorded_data().is_dir();
         let with = |print: Option<String>| {
             let (own, read) = (own.as_ref()?, read.as_ref()?);
-            Some(format!("{} {own} {read} {recorded}", print?))
+            Some(format!("{} {own} {read} {}", print?, self.recorded))
         };
-        let sources = self.0.get(&one.folder).cloned().flatten();
+        let sources = self.folders.get(&one.folder).cloned().flatten();
         Print {
             program: with(fingerprint::of(&one.executable)),
             sources: with(sources),
