@@ -13,7 +13,7 @@ use crate::map::RoadMap;
 use crate::weave::RoadJoining;
 
 /// Greatest reach of views over a map that is parted, metres: the squares grow with it, and their memory.
-const FARTHEST: f64 = 12e3;
+const FARTHEST: f64 = 10e3;
 /// Greatest extent of a map, metres: 500 km from its middle a plane is 0.3 % too small or too large.
 const WIDEST: f64 = 1000e3;
 /// Half the way around the globe, metres.
