@@ -51,6 +51,24 @@ pub const FORBIDDEN_IN_UI: [&[&str]; 10] = [
 /// Field of egui that writes what it only shows, rounded and cut, into the number: `NumberField` alone may use it.
 pub const BEHIND_NUMBER_FIELD: [&[&str]; 2] = [&["egui", "DragValue"], &["egui", "widgets"]];
 
+/// Paths that start threads, which of all that runs without a page `disk/workers.rs` alone does.
+pub const FORBIDDEN_BESIDE_WORKERS: [&[&str]; 7] = [
+    &["thread", "spawn"],
+    &["thread", "scope"],
+    &["thread", "Builder"],
+    &["std", "thread", "spawn"],
+    &["std", "thread", "scope"],
+    &["std", "thread", "Builder"],
+    &["rayon"],
+];
+
+/// Types whose work the orders of the page do for the terminal as well.
+pub const FORBIDDEN_AT_THE_TERMINAL: [&[&str]; 3] = [
+    &["pilotage_core", "navigator", "Navigator"],
+    &["pilotage_core", "training", "DetectorTraining"],
+    &["pilotage_core", "training", "DetectorJudge"],
+];
+
 /// Places outside test code where `source` names one of `forbidden`.
 pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation> {
     named_paths(&source.text)
@@ -137,6 +155,32 @@ mod tests {
             text: text.to_owned(),
         };
         forbidden_paths(&source, &FORBIDDEN_IN_CORE).len()
+    }
+
+    #[test]
+    fn a_thread_beside_the_workers_and_a_navigator_at_the_terminal_are_noticed() {
+        let count = |text: &str, forbidden: &[&[&str]]| {
+            let source = Source {
+                path: "crates/cli/src/fly.rs".to_owned(),
+                text: text.to_owned(),
+            };
+            forbidden_paths(&source, forbidden).len()
+        };
+        let workers = &FORBIDDEN_BESIDE_WORKERS;
+        assert_eq!(count("fn f() { std::thread::spawn(g); }", workers), 1);
+        assert_eq!(
+            count("use std::thread; fn f() { thread::scope(g); }", workers),
+            1
+        );
+        assert_eq!(count("use rayon::prelude::*;", workers), 1);
+        assert_eq!(
+            count("fn f() { std::thread::available_parallelism(); }", workers),
+            0
+        );
+        let terminal = &FORBIDDEN_AT_THE_TERMINAL;
+        let flies = "use pilotage_core::navigator::{Navigator, Run};";
+        assert_eq!(count(flies, terminal), 1);
+        assert_eq!(count("use pilotage_core::navigator::Run;", terminal), 0);
     }
 
     #[test]

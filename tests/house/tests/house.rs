@@ -110,6 +110,26 @@ fn jobs_and_workers_link_no_screen_and_jobs_reach_no_page() {
 }
 
 #[test]
+fn the_workers_alone_start_threads_and_the_terminal_does_its_work_by_orders() {
+    let starts = |source: &pilotage_house::sources::Source| {
+        reach::forbidden_paths(source, &reach::FORBIDDEN_BESIDE_WORKERS)
+    };
+    for folder in ["crates/cli/src", "crates/disk/src", "python/pilotage/src"] {
+        let sources = reach::without_test_files(below(folder));
+        assert!(!sources.is_empty(), "{folder}");
+        let (workers, others): (Vec<_>, Vec<_>) = sources
+            .iter()
+            .partition(|source| source.path == "workers.rs");
+        let of_workers = workers.into_iter().flat_map(starts).count();
+        assert_eq!(of_workers > 0, folder == "crates/disk/src", "{folder}");
+        assert_none(&others.into_iter().flat_map(starts).collect::<Vec<_>>());
+    }
+    let flies = |source| reach::forbidden_paths(source, &reach::FORBIDDEN_AT_THE_TERMINAL);
+    let of_terminal = reach::without_test_files(below("crates/cli/src"));
+    assert_none(&of_terminal.iter().flat_map(flies).collect::<Vec<_>>());
+}
+
+#[test]
 fn only_the_package_for_python_knows_python_and_it_stands_on_what_it_hands_over() {
     let of_python = text(&format!("{PYTHON}/Cargo.toml"));
     let none: [&str; 0] = [];
