@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::command::RoadChange;
-use super::geometry::{joined, through};
+use super::geometry::{are_one, joined, through};
 use crate::documents::Documents;
 
 impl Documents {
@@ -34,7 +34,8 @@ impl Documents {
     }
 
     /// Puts points, each of a road and its index there, to one place, which is a crossing where another road leads through
-    /// it; `finished` says that a drag is over. Whether that moved one: the whole drag, once it is over.
+    /// it; `finished` says that a drag is over. Whether that moved one: the whole drag, once it is over. Points that are no
+    /// longer at one place, after an undo, are other ones than were taken hold of, and stay.
     pub fn move_road_points(
         &mut self,
         points: &[(usize, usize)],
@@ -42,6 +43,9 @@ impl Documents {
         finished: bool,
     ) -> bool {
         let roads = &self.mission.roads;
+        if !are_one(roads, points) {
+            return finished && self.mission.history.finish_drag(&self.mission.content);
+        }
         let at = |(road, point): &(usize, usize)| roads.get(*road)?.course.get(*point);
         let is_moved = points.iter().filter_map(at).any(|place| *place != to);
         if is_moved {
@@ -272,6 +276,22 @@ mod tests {
         }
         assert_eq!(crossings(&documents), 1);
         documents.undo();
+        assert_eq!(documents.mission.roads[0].course, line(&[0.0, 100.0]));
+        assert_eq!(documents.mission.roads[1].course[1], end(10.0));
+    }
+
+    #[test]
+    fn a_crossing_that_undo_took_back_is_dragged_no_further() {
+        let mut documents = with_road(&[0.0, 100.0]);
+        let end = |north: f64| GroundPoint::new(north, 30.0);
+        documents.add_road(RoadClass::Track, &[end(40.0), end(10.0)]);
+        documents.move_road_points(&[(1, 1)], end(0.0), true);
+        let points = alike(&documents.mission.roads, 1, 1);
+        assert_eq!(points, [(1, 1), (0, 1)]);
+        documents.undo();
+        for finished in [false, true] {
+            assert!(!documents.move_road_points(&points, end(70.0), finished));
+        }
         assert_eq!(documents.mission.roads[0].course, line(&[0.0, 100.0]));
         assert_eq!(documents.mission.roads[1].course[1], end(10.0));
     }

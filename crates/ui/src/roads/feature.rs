@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 
 use super::Roads;
 use super::command::{ID, LABEL, RoadChange, RoadCommand, commands};
-use super::geometry::{HIT, alike, meeting, snapped};
+use super::geometry::{HIT, alike, are_one, meeting, snapped};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
@@ -74,7 +74,8 @@ impl Roads {
     }
 
     /// Selects nothing any more once roads came or went by other hands, such as undo, for their numbers are those of other
-    /// roads; and no point once points of the selected road did.
+    /// roads; and no point once points of the selected road did. Points of other roads that are dragged with its own have
+    /// other numbers, too, where they are no longer at its place.
     fn catch_up(&mut self, roads: &[RoadLine]) {
         let counts = self.counts(roads);
         if self.counts.0 != counts.0 {
@@ -82,6 +83,8 @@ impl Roads {
             self.dragged.clear();
         } else if self.counts.1 != counts.1 {
             self.has_lost_point |= self.point.take().is_some();
+            self.dragged.clear();
+        } else if !are_one(roads, &self.dragged) {
             self.dragged.clear();
         }
         self.counts = self.counts(roads);

@@ -99,6 +99,13 @@ pub fn alike(roads: &[RoadLine], road: usize, point: usize) -> Vec<(usize, usize
     all
 }
 
+/// Whether points, each of a road and its index there, are all there and at one place, as those of a crossing are.
+pub fn are_one(roads: &[RoadLine], points: &[(usize, usize)]) -> bool {
+    let place = |(road, point): &(usize, usize)| roads.get(*road)?.course.get(*point);
+    let first = points.first().and_then(place);
+    first.is_some() && points.iter().all(|point| place(point) == first)
+}
+
 /// Pieces of roads, but for those of `own`, that lead through a place where their road has no point: the road, and the
 /// point at which the piece begins.
 pub fn through(roads: &[RoadLine], own: &[usize], place: GroundPoint) -> Vec<(usize, usize)> {
