@@ -25,8 +25,6 @@ pub enum RoadChange {
     Width(f64),
     /// A new point before the one of that index.
     Insert(usize, GroundPoint),
-    /// A point less.
-    Remove(usize),
 }
 
 /// Something to do about roads.
@@ -64,7 +62,7 @@ pub enum RoadCommand {
         /// Whether it is over.
         finished: bool,
     },
-    /// Delete the selected point, else the road.
+    /// Delete the selected point, with those of other roads that it is a crossing with, else the road.
     DeletePoint,
     /// Delete the selected road.
     Delete,

@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::command::RoadChange;
-use super::geometry::{are_one, joined, through};
+use super::geometry::{alike, are_one, joined, through};
 use crate::documents::Documents;
 
 impl Documents {
@@ -90,10 +90,7 @@ impl Documents {
             RoadChange::Insert(before, at) if before <= road.course.len() => {
                 road.course.insert(before, at);
             }
-            RoadChange::Remove(point) if point < road.course.len() && road.course.len() > 2 => {
-                road.course.remove(point);
-            }
-            RoadChange::Insert(..) | RoadChange::Remove(_) => {}
+            RoadChange::Insert(..) => {}
         }
         let is_other = road != *old;
         if is_other {
@@ -105,6 +102,30 @@ impl Documents {
             return self.mission.history.finish_drag(&self.mission.content);
         }
         is_other
+    }
+
+    /// Deletes a point of a road, and those of other roads at its place: a crossing goes as one. A road keeps two points.
+    /// Whether that road had one to spare.
+    pub fn delete_road_point(&mut self, road: usize, point: usize) -> bool {
+        let roads = &self.mission.roads;
+        let length = roads.get(road).map_or(0, |road| road.course.len());
+        if length <= 2 || point >= length {
+            return false;
+        }
+        let mut points = alike(roads, road, point);
+        points.retain(|it| it.0 != road || it.1 == point);
+        // The last one first: those before keep their numbers.
+        points.sort_unstable_by(|a, b| b.cmp(a));
+        self.mission.remember();
+        self.mission.is_edited = true;
+        let roads = self.mission.roads.make_mut();
+        for (road, point) in points {
+            let course = &mut roads[road].course;
+            if course.len() > 2 {
+                course.remove(point);
+            }
+        }
+        true
     }
 
     /// Deletes a road; whether there is one.
@@ -159,7 +180,6 @@ impl Documents {
 mod tests {
     use pilotage_core::roads::{RoadJoining, RoadMap, SharedRoads};
 
-    use super::super::geometry::alike;
     use super::*;
     use crate::documents::Session;
 
@@ -299,8 +319,26 @@ mod tests {
     #[test]
     fn a_road_keeps_two_points() {
         let mut documents = with_road(&[0.0, 5.0, 10.0]);
-        documents.edit_road(0, RoadChange::Remove(1), true);
-        documents.edit_road(0, RoadChange::Remove(1), true);
+        assert!(documents.delete_road_point(0, 1));
+        assert!(!documents.delete_road_point(0, 1));
         assert_eq!(documents.mission.roads[0].course, line(&[0.0, 10.0]));
+    }
+
+    #[test]
+    fn a_point_of_a_crossing_is_deleted_from_all_of_its_roads_in_one_step() {
+        let mut documents = with_road(&[0.0, 20.0, 30.0, 100.0]);
+        let place = |north: f64| GroundPoint::new(north, 30.0);
+        let across = [place(40.0), place(0.0), place(-40.0)];
+        documents.add_road(RoadClass::Track, &across);
+        documents.add_road(RoadClass::Track, &across[1..]);
+        assert_eq!(crossings(&documents), 1);
+        assert!(documents.delete_road_point(0, 2));
+        let course = |documents: &Documents, road: usize| documents.mission.roads[road].course.clone();
+        assert_eq!(course(&documents, 0), line(&[0.0, 20.0, 100.0]));
+        assert_eq!(course(&documents, 1), [place(40.0), place(-40.0)]);
+        assert_eq!(course(&documents, 2), across[1..], "a road keeps two points");
+        documents.undo();
+        assert_eq!(course(&documents, 0).len(), 4);
+        assert_eq!(course(&documents, 1), across);
     }
 }

@@ -261,8 +261,8 @@ impl Roads {
         joined.is_some()
     }
 
-    /// Deletes the selected point of a road, or the road where it would be none without; whether one was deleted. Where
-    /// the point went by other hands, it was that and not the road which was meant.
+    /// Deletes the selected point of a road, with those of others at the same place, or the road where it would be none
+    /// without; whether one was deleted. Where the point went by other hands, it was that and not the road which was meant.
     fn delete_point(&mut self, road: usize, context: &mut FeatureContext<'_>) -> bool {
         let point = self.point.take();
         if std::mem::take(&mut self.has_lost_point) && point.is_none() {
@@ -273,7 +273,7 @@ impl Roads {
         let length = documents.mission.roads.get(road);
         let length = length.map_or(0, |road| road.course.len());
         if let Some(point) = point.filter(|_| length > 2) {
-            return documents.edit_road(road, RoadChange::Remove(point), true);
+            return documents.delete_road_point(road, point);
         }
         self.select(None, None);
         documents.delete_road(road)
