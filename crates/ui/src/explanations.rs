@@ -77,10 +77,12 @@ impl Explanations {
 fn explanation(by: ExplainedBy, of: ExplainedStep, documents: &Documents) -> Option<Job> {
     let step = documents.run.navigated.as_ref()?.step_at(of.time)?;
     step.frame.as_ref()?;
+    // Another map may be open since: with that one, nothing would explain what was measured.
+    let over = documents.run.over.as_ref();
     Some(Job::ExplainMatch(ExplainOrder {
         by,
         flight: documents.flight.source.clone(),
-        map: documents.map.source.clone(),
+        map: over.unwrap_or(&documents.map.source).clone(),
         mission: documents.mission.clone(),
         step: Box::new(step.clone()),
         landmark: of.landmark,

@@ -131,7 +131,7 @@ impl App {
             }
             None => self.fly_work.stop(host),
         }
-        // Nobody says over what it was flown: explanations of it are made with the map that is open, too.
+        // Nobody says over what it was flown; the map that is open is the best guess.
         let map = self.documents.map.source.clone();
         self.documents.begin_run_again(run, Staged::default(), map);
         self.documents.run.is_complete = true;

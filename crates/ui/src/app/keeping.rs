@@ -108,7 +108,8 @@ impl Keeping {
     }
 }
 
-/// Keys of the files that the documents, a flight about to begin and features need.
+/// Keys of the files that the documents, a flight about to begin and features need; steps of the run are explained with
+/// the map over which it was flown.
 pub fn used_files(
     documents: &Documents,
     fly_work: &FlyWork,
@@ -116,6 +117,7 @@ pub fn used_files(
 ) -> BTreeSet<String> {
     let mut used = file_sets(&documents.flight.source, &documents.map.source);
     used.extend(documents.map.terrain.key());
+    used.extend(documents.run.over.as_ref().and_then(MapSource::key));
     if let Some(fly) = &fly_work.job {
         used.extend(file_sets(&fly.flight, &fly.map));
     }

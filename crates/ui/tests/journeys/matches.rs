@@ -1,7 +1,9 @@
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{ExplainOrder, ExplainedBy, Job};
+use pilotage_jobs::{ExplainOrder, ExplainedBy, FlyOrder, Job, MapSource};
+use pilotage_ui::host::OpenedFile;
 
+use super::open_map::a_map;
 use super::support::{Rig, rig};
 
 /// Matches asked for so far.
@@ -32,4 +34,45 @@ fn the_pictures_of_a_match_are_asked_for_once_in_each_run_and_shown() {
     rig.key(Key::R);
     rig.settle();
     assert!(asked(&mut rig) > once);
+}
+
+/// Opens a map of the world in which the flight is; nothing is flown anew.
+fn open_map(rig: &mut Rig) {
+    rig.host().opens = Some(a_map(None));
+    rig.host().opened.push(vec![OpenedFile {
+        path: "county.tif".to_owned(),
+        content: vec![1, 2, 3].into(),
+    }]);
+    rig.settle();
+}
+
+/// Map over which the last flight was asked for.
+fn flown_over(rig: &mut Rig) -> MapSource {
+    let flown = rig.host().last_flight().cloned();
+    let Some((_, Job::Fly(FlyOrder { map, .. }))) = flown else {
+        panic!("nothing was flown");
+    };
+    map
+}
+
+#[test]
+fn a_match_is_explained_with_the_map_of_its_run_while_another_one_is_open() {
+    let mut rig = rig();
+    open_map(&mut rig);
+    rig.key(Key::R);
+    rig.settle();
+    let over = flown_over(&mut rig);
+    let key = over.key().expect("an opened map").to_owned();
+    open_map(&mut rig);
+    assert_eq!(flown_over(&mut rig), over, "nothing was flown anew");
+    assert!(rig.host().in_use.contains(&key), "its files stay");
+    rig.key(Key::End);
+    rig.open_tab("Match");
+    rig.frames(6);
+    let jobs = rig.host().jobs.iter().rev();
+    let mut explained = jobs.filter_map(|(_, job)| match job {
+        Job::ExplainMatch(order) => Some(order.map.clone()),
+        _ => None,
+    });
+    assert_eq!(explained.next(), Some(over));
 }

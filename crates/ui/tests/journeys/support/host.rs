@@ -1,7 +1,7 @@
 //! The scripted host.
 
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use pilotage_core::flight::interpret::log_of_flight;
@@ -129,6 +129,8 @@ pub struct ScriptedHost {
     pub scheme: Scheme,
     /// Workers to report as lost.
     pub lost: usize,
+    /// Keys of the files that stayed when others were let go last.
+    pub in_use: BTreeSet<String>,
     /// Laying of pictures on the map.
     pub laying: Laying,
     /// Leave flights without an answer.
@@ -581,6 +583,10 @@ impl Host for ScriptedHost {
         self.answer(id, &job);
         self.jobs.push((id, job));
         id
+    }
+
+    fn let_go(&mut self, in_use: &BTreeSet<String>) {
+        self.in_use.clone_from(in_use);
     }
 
     fn cancel(&mut self, job: JobId) {
