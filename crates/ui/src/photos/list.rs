@@ -54,7 +54,8 @@ fn reason_height(tokens: &Tokens) -> f32 {
     1.5 * tokens.text_sizes[0]
 }
 
-/// Draws the rows of the part of the list that is seen: of thousands of photos no more are laid out.
+/// Draws the rows of the part of the list that is seen, and one more at either end to which the keyboard can go: of
+/// thousands of photos no more are laid out.
 fn rows(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, seen: Rect) {
     let tokens = context.tokens;
     let (plain, reason) = (table::height(tokens), reason_height(tokens));
@@ -74,6 +75,14 @@ fn rows(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, seen: 
     while end < count && bottom < seen.bottom() {
         bottom += height(end);
         end += 1;
+    }
+    if end < count {
+        bottom += height(end);
+        end += 1;
+    }
+    if first > 0 {
+        first -= 1;
+        top -= height(first);
     }
     let whole = bottom + (end..count).map(height).sum::<f32>();
     let area = ui.max_rect();
@@ -157,6 +166,9 @@ fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, number:
         Some(why) => format!("{name}: not laid: {why}"),
     };
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_chosen, &what));
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
     let fill = match (is_chosen, response.hovered() || response.has_focus()) {
         (true, _) => tokens.accent.gamma_multiply(0.22),
         (false, true) => tokens.hover(),
@@ -205,8 +217,8 @@ mod tests {
     use super::*;
     use crate::views::fixture::Fixture;
 
-    #[test]
-    fn of_a_thousand_photos_only_those_that_are_seen_are_laid_out() {
+    /// A thousand photos that are not laid yet.
+    fn a_thousand() -> PhotosState {
         let mut photos = PhotosState::default();
         photos.sought = Some(Sought {
             key: "opened-1".to_owned(),
@@ -216,6 +228,48 @@ mod tests {
             ground: GroundRect::centered(GroundPoint::default(), 100.0, 100.0),
         });
         photos.reports.resize(1000, None);
+        photos
+    }
+
+    /// Whether the keyboard is on the row of a photo.
+    fn is_focused(harness: &Harness<'_>, number: usize) -> bool {
+        let name = format!("photo {number}.jpg:");
+        let row = harness.query_by(|node| {
+            let label = node.label();
+            node.is_focused() && label.is_some_and(|it| it.starts_with(&name))
+        });
+        row.is_some()
+    }
+
+    #[test]
+    fn every_row_is_reached_by_the_keyboard_forth_and_back() {
+        let photos = a_thousand();
+        let fixture = Fixture::lasting(2.0);
+        let draw = |ui: &mut Ui| {
+            let mut commands = Vec::new();
+            let mut context = fixture.context(1.0, &mut commands);
+            list(ui, &mut context, &photos);
+        };
+        let builder = Harness::builder().with_size([360.0, 500.0]);
+        let mut harness = builder.build_ui(draw);
+        harness.run();
+        harness.get_by_label_contains("photo 0.jpg:").focus();
+        harness.run();
+        for number in 1..30 {
+            harness.key_press(egui::Key::Tab);
+            harness.run();
+            assert!(is_focused(&harness, number), "{number}");
+        }
+        for number in (0..29).rev() {
+            harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::Tab);
+            harness.run();
+            assert!(is_focused(&harness, number), "{number}");
+        }
+    }
+
+    #[test]
+    fn of_a_thousand_photos_only_those_that_are_seen_are_laid_out() {
+        let photos = a_thousand();
         let fixture = Fixture::lasting(2.0);
         let draw = |ui: &mut Ui| {
             let mut commands = Vec::new();
