@@ -33,13 +33,14 @@ pub struct ColumnsFeature {
 }
 
 impl ColumnsFeature {
-    /// Asks what the columns of tables mean.
+    /// Asks what the columns of tables mean; what was asked about before is left.
     fn ask(
         &mut self,
         set: &OpenedSet,
         tables: Vec<GuessedTable>,
         context: &mut FeatureContext<'_>,
     ) {
+        self.leave(context);
         let mut files = set.files.clone();
         files.retain(|file| file.path != COLUMNS_FILE);
         let draft = ColumnsDraft::new(set.key.clone(), set.name.clone(), files, tables);

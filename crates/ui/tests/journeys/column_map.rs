@@ -208,3 +208,20 @@ fn a_flight_that_is_opened_while_tables_are_asked_about_ends_the_question() {
     assert_eq!(rig.state()["log"]["file"], "east.log");
     assert!(dialog(&rig).is_null());
 }
+
+#[test]
+fn a_table_that_is_dropped_while_a_flight_is_made_of_others_ends_the_making() {
+    let mut rig = asked();
+    rig.host().left = Some(|job| matches!(job, Job::MakeFlight(_)));
+    rig.harness.get_by_label("Open flight").click();
+    rig.settle();
+    assert_eq!(dialog(&rig)["making"], true);
+    let made = rig.host().jobs.last().cloned();
+    let Some((made, Job::MakeFlight(_))) = made else {
+        panic!("{made:?}");
+    };
+    drop_files(&mut rig, &[("east.csv", gps())]);
+    assert!(rig.host().cancelled.contains(&made));
+    assert_eq!(dialog(&rig)["tables"][0]["file"], "east.csv");
+    assert_eq!(dialog(&rig)["making"], false);
+}
