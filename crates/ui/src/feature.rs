@@ -177,6 +177,11 @@ impl FeatureContext<'_> {
         self.wishes.is_run_stale = true;
     }
 
+    /// Says that the worker which read the log answered a question about it with an error: it may have it no more.
+    pub fn lose_log(&mut self) {
+        self.wishes.is_log_lost = true;
+    }
+
     /// Says that something changed that is stored with the documents.
     pub fn document_changed(&mut self) {
         self.wishes.is_document_changed = true;
@@ -438,6 +443,9 @@ pub trait Feature {
     fn used_files(&self) -> Vec<&str> {
         Vec::new()
     }
+
+    /// Reads the log that is open again, if it is the one who read it: no worker may have it any more.
+    fn on_log_lost(&mut self) {}
 
     /// Series of the log whose values are to be saved beside the flown track, and what they are called there.
     fn series_along(&self) -> Option<(FlownValues, TrackSeries)> {

@@ -14,6 +14,8 @@ pub struct FeatureWishes {
     pub show: Option<bool>,
     /// Whether the mission changed in a way that changes the run.
     pub is_run_stale: bool,
+    /// Whether no worker may have the log any more.
+    pub is_log_lost: bool,
     /// Whether something changed that is stored with the documents.
     pub is_document_changed: bool,
     /// Landmark that was just made, to be presented.

@@ -68,6 +68,10 @@ impl App {
         if wishes.is_run_stale {
             self.run_is_stale(host.now());
         }
+        if wishes.is_log_lost {
+            let features = self.views.features.iter_mut();
+            features.for_each(|feature| feature.on_log_lost());
+        }
         self.stored.document_changed |= wishes.is_document_changed;
         if let Some(id) = wishes.presented {
             self.present_landmark(id);

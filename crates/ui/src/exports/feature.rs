@@ -78,18 +78,40 @@ fn commands() -> Vec<CommandEntry> {
     .collect()
 }
 
+/// Advice where the log that has values for a file is not there.
+const LOG_AGAIN: &str = "If it was lost with its worker, the log is being read again: export once more after that.";
+
+/// File that is being made.
+#[derive(Debug)]
+struct FileInWork {
+    job: JobId,
+    file: ExportedFile,
+    /// Whether values of the log stand in it.
+    is_of_log: bool,
+}
+
 /// Files that are being made.
 #[derive(Debug, Default)]
 pub struct ExportsFeature {
-    making: Vec<(JobId, ExportedFile)>,
+    making: Vec<FileInWork>,
     mission: MissionFile,
 }
 
 impl ExportsFeature {
     /// Has a file for another program made.
     fn make(&mut self, file: ExportedFile, order: ExportOrder, context: &mut FeatureContext<'_>) {
-        let job = context.start(Job::Export(Box::new(order)));
-        self.making.push((job, file));
+        let is_of_log = matches!(
+            order,
+            ExportOrder::Track {
+                beside: Some(_),
+                ..
+            }
+        );
+        self.making.push(FileInWork {
+            job: context.start(Job::Export(Box::new(order))),
+            file,
+            is_of_log,
+        });
     }
 }
 
@@ -148,16 +170,19 @@ impl Feature for ExportsFeature {
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
         let mission = self.mission.stop();
-        let jobs = self.making.drain(..).map(|(job, _)| job).chain(mission);
+        let jobs = self.making.drain(..).map(|it| it.job).chain(mission);
         jobs.map(|job| context.cancel(job)).count() > 0
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
-        let Some(place) = self.making.iter().position(|(id, _)| *id == job) else {
+        let Some(place) = self.making.iter().position(|it| it.job == job) else {
             return self.mission.take(job, event, context);
         };
         let is_last = event.is_last();
-        let ExportedFile { what, format, name } = &self.making[place].1;
+        let FileInWork {
+            file, is_of_log, ..
+        } = &self.making[place];
+        let ExportedFile { what, format, name } = file;
         match event {
             JobEvent::Exported { bytes, notes } => {
                 context.host.save_file(name, &bytes);
@@ -166,7 +191,13 @@ impl Feature for ExportsFeature {
             }
             JobEvent::Failed(why) => {
                 let title = format!("{what} not exported as {format}");
-                context.trouble(&title, sentences(&[why]));
+                let mut why = vec![why];
+                if *is_of_log {
+                    // Only for it: what is on the page is there still, and nobody else would ask.
+                    context.lose_log();
+                    why.push(LOG_AGAIN.to_owned());
+                }
+                context.trouble(&title, sentences(&why));
             }
             _ => {}
         }

@@ -169,6 +169,10 @@ impl Feature for LogFeature {
         reading.map(|reading| reading.flight.key.as_str()).collect()
     }
 
+    fn on_log_lost(&mut self) {
+        self.lose();
+    }
+
     /// The field that colours the recorded track.
     fn series_along(&self) -> Option<(FlownValues, TrackSeries)> {
         let ColouredTrack { name, series } = self.coloured()?;

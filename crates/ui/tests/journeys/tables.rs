@@ -1,7 +1,8 @@
 //! Tables of a flight are looked over, and whatever stands in them is plotted, as that of a log is.
 
-use egui::Vec2;
+use egui::{Key, Modifiers, Vec2};
 use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::{Job, JobEvent};
 
 use super::column_map::asked;
 use super::log::panels;
@@ -76,7 +77,7 @@ fn columns_are_computed_with() {
     rig.frames(2);
     let field = rig.harness.get_by_label("Expression over fields");
     field.type_text("gps.quux - {GPS height}");
-    rig.key(egui::Key::Enter);
+    rig.key(Key::Enter);
     rig.settle();
     assert_eq!(panels(&rig)[2], ["gps.quux - {GPS height}"]);
     rig.harness.get_by_label("Plot of gps.quux - {GPS height}");
@@ -97,4 +98,47 @@ fn after_a_reload_the_tables_are_read_again() {
     assert_eq!(state["log"]["topics"], 2);
     assert_eq!(state["flight"], "x");
     again.harness.get_by_label("gps.lat");
+}
+
+fn export_track(rig: &mut Rig) {
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    let words = "save the flown track as csv";
+    rig.harness.event(egui::Event::Text(words.into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.settle();
+}
+
+#[test]
+fn a_coloured_track_is_exported_after_the_worker_that_had_the_log_was_lost() {
+    let mut rig = opened();
+    search(&mut rig, "quux");
+    rig.harness
+        .get_by_label("Colour the track by gps.quux")
+        .click();
+    rig.settle();
+    let readings = |rig: &mut Rig| {
+        let jobs = rig.host().jobs.iter();
+        jobs.filter(|(_, job)| matches!(job, Job::ReadLog(_)))
+            .count()
+    };
+    let before = readings(&mut rig);
+    rig.host().left = Some(|job| matches!(job, Job::Export(_)));
+    export_track(&mut rig);
+    let asked = rig.host().jobs.last().cloned();
+    let Some((asked, Job::Export(_))) = asked else {
+        panic!("{asked:?}");
+    };
+    let why = "x: it is not read yet".to_owned();
+    rig.host().events.push((asked, JobEvent::Failed(why)));
+    rig.settle();
+    rig.harness
+        .get_by_label_contains("export once more after that");
+    assert_eq!(readings(&mut rig), before + 1);
+    rig.host().left = None;
+    export_track(&mut rig);
+    let (name, bytes) = rig.host().saved.pop().expect("a file");
+    assert!(name.ends_with("-track.csv"), "{name}");
+    let text = String::from_utf8(bytes).expect("a table");
+    assert!(text.starts_with("time") && text.contains("quux"), "{text}");
 }
