@@ -100,11 +100,11 @@ impl CameraLogFeature {
         self.job.begin("Estimating".to_owned(), job, context);
     }
 
-    /// Leaves an estimate of another map than that of the run; another one comes once the flight under way is over, unless
-    /// somebody moved the hand.
-    fn keep_to_map(&mut self, documents: &Documents) {
+    /// Leaves an estimate of another map than that of the run; another one comes once the flight is over that makes the
+    /// run, unless somebody moved the hand. Nothing makes a run that was opened.
+    fn keep_to_map(&mut self, is_flown: bool, documents: &Documents) {
         if self.work.keep_to(documents.run.over.as_ref()) {
-            self.is_after_flight |= self.work.by_hand.is_none();
+            self.is_after_flight |= is_flown && self.work.by_hand.is_none();
         }
     }
 
@@ -198,7 +198,8 @@ impl Feature for CameraLogFeature {
             self.work.by_hand = None;
             self.applied = applied;
         }
-        self.keep_to_map(context.documents);
+        let is_flown = !context.documents.run.is_complete;
+        self.keep_to_map(is_flown, context.documents);
         if self.is_shown && self.refresh(context.documents) {
             context.egui.request_repaint();
         }
@@ -207,7 +208,7 @@ impl Feature for CameraLogFeature {
     /// Estimates what was asked for, and what nobody touched yet wherever its pictures allow it, so that the overview
     /// tells a lag by itself.
     fn on_run_over(&mut self, is_whole: bool, context: &mut FeatureContext<'_>) {
-        self.keep_to_map(context.documents);
+        self.keep_to_map(true, context.documents);
         let is_asked = std::mem::take(&mut self.is_after_flight);
         let is_untouched = self.work.found.is_none() && self.work.by_hand.is_none();
         let applied = context.documents.mission.camera_to_log;

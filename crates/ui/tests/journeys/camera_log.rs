@@ -9,6 +9,7 @@ use serde_json::Value;
 
 use super::open_map::a_map;
 use super::reopen::nothing;
+use super::support::flight::{mission, run};
 use super::support::laid::{Laying, early_flight};
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
@@ -232,6 +233,35 @@ fn the_estimate_of_another_map_is_left_and_that_of_now_is_made() {
         number(&rig, after),
         "the hand is free"
     );
+}
+
+#[test]
+fn no_estimate_comes_after_a_run_that_was_opened_over_another_map() {
+    let estimates = |rig: &mut Rig| {
+        let jobs = rig.host().jobs.iter();
+        jobs.filter(|(_, job)| matches!(job, Job::Calibrate(_)))
+            .count()
+    };
+    let mut rig = estimated();
+    rig.harness.get_by_label("Apply").click();
+    rig.settle();
+    let run = OpenedFiles {
+        run: Some(run(&mission())),
+        ..nothing()
+    };
+    for (path, opens) in [("county.tif", a_map(None)), ("invented.run", run)] {
+        rig.host().opens = Some(opens);
+        rig.host().opened.push(vec![OpenedFile {
+            path: path.to_owned(),
+            content: vec![1, 2, 3].into(),
+        }]);
+        rig.settle();
+    }
+    assert!(rig.state()["camera_log"]["estimate"].is_null());
+    let before = estimates(&mut rig);
+    rig.key(Key::R);
+    rig.settle();
+    assert_eq!(estimates(&mut rig), before, "the adjustment is applied");
 }
 
 #[test]
