@@ -17,7 +17,7 @@ pub const TRAININGS_KEY: &str = "trainings";
 const FORM: u8 = 3;
 /// Trainings that are worked on at a time; the others wait.
 const AT_A_TIME: usize = 2;
-/// Most trainings that are kept, the latest.
+/// Most trainings that are kept: those of the mission that is open before others, the latest of each.
 const MOST_KEPT: usize = 40;
 
 /// State of a training.
@@ -222,18 +222,21 @@ impl Trainings {
         told.collect()
     }
 
-    /// Encodes the trainings that are to be kept.
-    fn encode(&self) -> Vec<u8> {
+    /// Encodes the trainings that are to be kept: those of other maps, and of boxes that were changed, first make room.
+    fn encode(&self, documents: &Documents) -> Vec<u8> {
         let kept = self.list.iter().filter(|t| t.trouble.is_none());
-        let kept: Vec<KeptTraining> = kept
+        let mut kept: Vec<&Training> = kept.collect();
+        let late = kept.len().saturating_sub(MOST_KEPT);
+        kept.sort_by_key(|t| is_here(t, documents));
+        let kept: Vec<KeptTraining> = kept[late..]
+            .iter()
             .map(|t| KeptTraining {
                 program: program(),
                 order: t.order.clone(),
                 outcome: t.outcome.clone(),
             })
             .collect();
-        let late = kept.len().saturating_sub(MOST_KEPT);
-        postcard::to_extend(&kept[late..], vec![FORM]).unwrap_or_default()
+        postcard::to_extend(&kept, vec![FORM]).unwrap_or_default()
     }
 
     /// Begins, holds and stops what is due.
@@ -276,7 +279,7 @@ impl Trainings {
             }
         }
         if std::mem::take(&mut self.changed) {
-            context.host.store(TRAININGS_KEY, &self.encode());
+            context.host.store(TRAININGS_KEY, &self.encode(context.documents));
         }
     }
 
@@ -417,6 +420,22 @@ mod tests {
         trainings.cancel(Some(1), &after);
         assert_eq!(trainings.unfinished(&before).count(), 1);
         assert!(trainings.of(&after.mission.landmarks[0], &after).is_none());
+    }
+
+    #[test]
+    fn a_training_that_can_go_on_stays_stored_however_often_other_boxes_were_tried() {
+        let here = over("here", 0.0);
+        let mut trainings = Trainings::default();
+        trainings.ask(order(&here));
+        for metres in 1..=u8::try_from(MOST_KEPT).expect("few") {
+            trainings.ask(order(&over("here", f64::from(metres))));
+        }
+        let bytes = trainings.encode(&here);
+        let kept: Vec<KeptTraining> = postcard::from_bytes(&bytes[1..]).expect("trainings");
+        assert_eq!(kept.len(), MOST_KEPT);
+        let bounds = here.mission.landmarks[0].bounds;
+        let is_of = |it: &&KeptTraining| it.order.landmark.bounds == bounds;
+        assert_eq!(kept.iter().filter(is_of).count(), 1);
     }
 
     #[test]
