@@ -1,11 +1,11 @@
 //! Trajectories that were kept to be compared, on the map.
 
-use egui::{Painter, Pos2, Shape, Stroke};
+use egui::{Painter, Pos2, Stroke};
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 
 use super::shelf::{KeptTrack, Shelf};
 use crate::context::ViewContext;
-use crate::map::{MapLayer, ScreenFromWorld, carry};
+use crate::map::{MapLayer, ScreenFromWorld, carry, paint_dashed};
 use crate::tokens::Tokens;
 
 /// Pieces that a trajectory is drawn in at most.
@@ -43,13 +43,5 @@ fn paint_kept(
         })
         .collect();
     let (colour, dash) = kept.look(tokens);
-    let stroke = Stroke::new(2.0, colour);
-    match dash {
-        Some((dash, gap)) => {
-            painter.extend(Shape::dashed_line(&line, stroke, dash, gap));
-        }
-        None => {
-            painter.add(Shape::line(line, stroke));
-        }
-    }
+    paint_dashed(painter, line, Stroke::new(2.0, colour), dash);
 }

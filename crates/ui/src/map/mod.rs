@@ -5,6 +5,7 @@ mod button;
 mod card;
 mod controls;
 mod correction;
+mod dashes;
 mod furniture;
 mod interact;
 mod labels;
@@ -27,6 +28,7 @@ mod view;
 
 pub use button::MapButton;
 pub(crate) use card::MapCard;
+pub(crate) use dashes::paint_dashed;
 pub(crate) use furniture::{length_text, round_length};
 pub use labels::LandmarkLabel;
 pub use layer::MapLayer;

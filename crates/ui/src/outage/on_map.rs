@@ -6,9 +6,8 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use super::chart::look;
 use super::state::Outages;
 use crate::context::ViewContext;
-use crate::map::{MapLayer, ScreenFromWorld};
+use crate::map::{MapLayer, ScreenFromWorld, paint_dashed};
 use crate::shell::FADED;
-use crate::views::chart::dashed;
 
 impl MapLayer for Outages {
     /// Draws the ways through the outage, each with a dot where it is at the time cursor.
@@ -27,7 +26,7 @@ impl MapLayer for Outages {
             let colour = colour.gamma_multiply(opacity);
             let at = |p: &[f64; 3]| view.apply(&GroundPoint::new(p[1], p[2]));
             let line: Vec<Pos2> = result.places.iter().map(at).collect();
-            painter.extend(dashed(line, Stroke::new(2.0, colour), dash));
+            paint_dashed(painter, line, Stroke::new(2.0, colour), dash);
             let reached = result.places.iter().rev().find(|p| p[0] <= now);
             if let Some(place) = reached.filter(|_| now <= outage.span.1) {
                 let rim = Stroke::new(1.0, tokens.outline());
