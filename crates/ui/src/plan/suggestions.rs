@@ -12,6 +12,8 @@ pub struct Suggestions {
     /// Order and its proposals.
     pub(super) found: Option<(SuggestOrder, Vec<Suggestion>)>,
     pub(super) trouble: Option<String>,
+    /// Map that was open last.
+    over: Option<MapSource>,
     pub(super) asked: Option<(JobId, SuggestOrder)>,
     pub(super) progress: (f32, String),
     pub(super) wants: Option<bool>,
@@ -24,6 +26,10 @@ pub struct Suggestions {
 impl Suggestions {
     /// Forgets what is of another map than the one that is open.
     pub fn keep_to(&mut self, map: &MapSource, context: &mut FeatureContext<'_>) {
+        if self.over.as_ref() != Some(map) {
+            self.over = Some(map.clone());
+            self.trouble = None;
+        }
         if self.found.as_ref().is_some_and(|(of, _)| of.map != *map) {
             (self.found, self.hovered) = (None, None);
         }

@@ -1,7 +1,7 @@
 use egui::{Modifiers, Vec2};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
-use pilotage_jobs::{DescribeMapOrder, Job, MapInfo, MapSource, OpenOrder, OpenedFiles};
+use pilotage_jobs::{DescribeMapOrder, Job, JobEvent, MapInfo, MapSource, OpenOrder, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
@@ -84,6 +84,35 @@ fn proposals_for_one_map_are_gone_when_another_is_open() {
         a_map(Some(Geodetic::from_degrees(46.86, -92.08, 0.0))),
     );
     assert_eq!(count(&rig), Some(0));
+}
+
+#[test]
+fn that_nothing_was_proposed_on_one_map_is_not_said_of_another() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::SHIFT, egui::Key::P);
+    rig.settle();
+    rig.open_tab("Landmarks");
+    rig.host().left = Some(|job| matches!(job, Job::Suggest(_)));
+    rig.harness.get_by_label_contains(" landmarks for ").click();
+    rig.settle();
+    let mut jobs = rig.host().jobs.iter().rev();
+    let asked = jobs.find(|(_, job)| matches!(job, Job::Suggest(_)));
+    let asked = asked.map(|it| it.0).expect("what was asked for");
+    let none = [JobEvent::Suggestions(Vec::new()), JobEvent::Finished];
+    let none = none.map(|event| (asked, event));
+    rig.host().events.extend(none);
+    rig.settle();
+    let is_said = |rig: &Rig| {
+        let words = "no other place that the camera sees";
+        rig.harness.query_by_label_contains(words).is_some()
+    };
+    assert!(is_said(&rig));
+    let origin = rig.state()["origin"].clone();
+    let at = |i: usize| origin[i].as_f64().unwrap_or(0.0);
+    let here = Geodetic::from_degrees(at(0), at(1), 0.0);
+    drop(&mut rig, a_map(Some(here)));
+    rig.settle();
+    assert!(!is_said(&rig));
 }
 
 #[test]
