@@ -35,7 +35,7 @@ impl Georeferencer {
         if title(ui, tokens, "Georeference picture") {
             send(commands, GeoreferenceCommand::Close);
         }
-        ui.label(muted(tokens, self.next_step()));
+        ui.label(muted(tokens, self.next_step(tokens)));
         ui.add_space(tokens.space);
         self.coordinates(ui, tokens);
         self.offer_map(ui, tokens, commands);
@@ -58,19 +58,26 @@ impl Georeferencer {
         self.buttons(ui, tokens, commands);
     }
 
-    fn next_step(&self) -> String {
+    fn next_step(&self, tokens: &Tokens) -> String {
         match (self.pending.pixel, self.pending.place) {
             (Some(_), None) => {
-                "Now click the same place on the map, or type its coordinates.".to_owned()
+                let by_mouse = "Now click the same place on the map, or type its coordinates.";
+                let by_finger = "Now tap the same place on the map, or type its coordinates.";
+                tokens.advice(by_mouse, by_finger).to_owned()
             }
-            (None, Some(_)) => "Now click the same place in the picture.".to_owned(),
+            (None, Some(_)) => {
+                let by_mouse = "Now click the same place in the picture.";
+                let by_finger = "Now tap the same place in the picture.";
+                tokens.advice(by_mouse, by_finger).to_owned()
+            }
             _ => {
-                let needed = self.kind.least_points();
-                format!(
+                let how = tokens.advice(
                     "Click a place in the picture, then the same on the map or its coordinates below. By keyboard, \
-                     arrows move what has the focus, and Enter picks its middle. {needed} points are needed; \
-                     more show how good they are."
-                )
+                     arrows move what has the focus, and Enter picks its middle.",
+                    "Tap a place in the picture, then the same on the map or type its coordinates below.",
+                );
+                let needed = self.kind.least_points();
+                format!("{how} {needed} points are needed; more show how good they are.")
             }
         }
     }

@@ -100,21 +100,44 @@ fn paint_prediction(
 }
 
 /// Words on what to click next; `None` while nothing is chosen.
-pub fn hint(pick: FindPick) -> Option<&'static str> {
-    match pick {
-        FindPick::Nothing => None,
-        FindPick::From => {
-            Some("Click on the map where the route begins (A); Enter takes its middle.")
-        }
-        FindPick::To => Some("Click on the map where it ends (B); Enter takes its middle."),
-    }
+pub fn hint(pick: FindPick, tokens: &Tokens) -> Option<&'static str> {
+    let words = match pick {
+        FindPick::Nothing => return None,
+        FindPick::From => tokens.advice(
+            "Click on the map where the route begins (A); Enter takes its middle.",
+            "Tap on the map where the route begins (A).",
+        ),
+        FindPick::To => tokens.advice(
+            "Click on the map where it ends (B); Enter takes its middle.",
+            "Tap on the map where it ends (B).",
+        ),
+    };
+    Some(words)
 }
 
 /// A line of words at the top of the map while something is chosen.
 pub(super) fn paint_hint(painter: &Painter, rect: egui::Rect, pick: FindPick, tokens: &Tokens) {
-    if let Some(words) = hint(pick) {
+    if let Some(words) = hint(pick, tokens) {
         let at = rect.center_top() + BELOW_FIGURES;
         let (align, font) = (Align2::CENTER_TOP, tokens.normal());
         paint_halo_text(painter, at, align, words, font, tokens.sigma);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fingers_are_told_of_no_keys() {
+        let mut tokens = Tokens::dark();
+        for (touch, has_keys) in [(false, true), (true, false)] {
+            tokens.touch = touch;
+            for pick in [FindPick::From, FindPick::To] {
+                let words = hint(pick, &tokens).expect("words");
+                assert_eq!(words.contains("Enter"), has_keys, "{words}");
+            }
+        }
+        assert_eq!(hint(FindPick::Nothing, &tokens), None);
     }
 }

@@ -164,7 +164,7 @@ fn find(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
             ui.label(muted(tokens, text));
         }
     });
-    if let Some(words) = hint(finder.pick) {
+    if let Some(words) = hint(finder.pick, tokens) {
         ui.label(egui::RichText::new(words).color(tokens.accent));
     }
     wishes(ui, planner, documents, context);
