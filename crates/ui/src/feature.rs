@@ -15,7 +15,7 @@ use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::kept::provide;
 use crate::documents::{Documents, Session, ViewState};
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
-pub use crate::feature_wishes::{FeatureWishes, FlightFiles, FlightWish, OpenedSet};
+pub use crate::feature_wishes::{FeatureWishes, FlightFiles, FlightWish, OpenedSet, PanelWish};
 use crate::host::{Host, OpenedFile};
 use crate::job_owners::JobOwner;
 use crate::map::{MapButton, MapLayer, MapTool, MapView};
@@ -164,12 +164,12 @@ impl FeatureContext<'_> {
 
     /// Opens the feature's panel.
     pub fn show(&mut self) {
-        self.wishes.show = Some(true);
+        self.wishes.panel = Some(PanelWish::Shown);
     }
 
     /// Shows something else in the place of its panel.
     pub fn hide(&mut self) {
-        self.wishes.show = Some(false);
+        self.wishes.panel = Some(PanelWish::Hidden);
     }
 
     /// Says that the mission changed in a way that changes the run.
@@ -205,7 +205,7 @@ impl FeatureContext<'_> {
 
     /// Opens the feature's panel wherever the flight is looked at, unless one is shown that takes the whole column.
     pub fn offer(&mut self) {
-        self.wishes.is_offered = true;
+        self.wishes.panel = Some(PanelWish::Offered);
     }
 
     /// Stops what is being flown; what has streamed in stays.

@@ -7,11 +7,22 @@ use crate::command::Command;
 use crate::documents::{Documents, Session};
 use crate::host::OpenedFile;
 
+/// Wish of a feature as to its panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PanelWish {
+    /// It is to be shown.
+    Shown,
+    /// Another one is to be shown.
+    Hidden,
+    /// It is to be shown, unless one is that takes the whole column.
+    Offered,
+}
+
 /// Wishes of a feature that the app fulfils once the feature is done.
 #[derive(Debug, Default)]
 pub struct FeatureWishes {
-    /// Whether its panel is to be shown (true), or another one (false).
-    pub show: Option<bool>,
+    /// Its panel.
+    pub panel: Option<PanelWish>,
     /// Whether the mission changed in a way that changes the run.
     pub is_run_stale: bool,
     /// Whether no worker may have the log any more.
@@ -22,8 +33,6 @@ pub struct FeatureWishes {
     pub presented: Option<u32>,
     /// Commands that are carried out then.
     pub commands: Vec<Command>,
-    /// Whether its panel is to be shown, unless one is that takes the whole column.
-    pub is_offered: bool,
     /// Map to be shown.
     pub map: Option<MapSource>,
     /// Flight to be flown in the place of the one that is being flown.

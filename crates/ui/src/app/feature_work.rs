@@ -5,7 +5,7 @@ use crate::command::{Command, Workspace};
 use crate::documents::Session;
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes, FlightFiles,
-    FlightWish, OpenedSet,
+    FlightWish, OpenedSet, PanelWish,
 };
 use crate::feature_command::Show;
 use crate::host::Host;
@@ -57,9 +57,9 @@ impl App {
         };
         work(feature.as_mut(), &mut context);
         let wishes = context.wishes;
-        match wishes.show {
-            Some(true) => self.show_feature(own, place),
-            Some(false) if is_shown => {
+        match wishes.panel {
+            Some(PanelWish::Shown) => self.show_feature(own, place),
+            Some(PanelWish::Hidden) if is_shown => {
                 self.view.workspace = Workspace::Replay;
                 self.side_tab = self.views.usual_tab();
             }
@@ -79,7 +79,7 @@ impl App {
         for command in wishes.commands {
             self.execute(command, egui, host);
         }
-        if wishes.is_offered {
+        if wishes.panel == Some(PanelWish::Offered) {
             self.offer_feature(own);
         }
         for set in wishes.kept {
