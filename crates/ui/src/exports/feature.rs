@@ -79,7 +79,8 @@ fn commands() -> Vec<CommandEntry> {
 }
 
 /// Advice where the log that has values for a file is not there.
-const LOG_AGAIN: &str = "If it was lost with its worker, the log is being read again: export once more after that.";
+const LOG_AGAIN: &str =
+    "If it was lost with its worker, the log is being read again: export once more after that.";
 
 /// File that is being made.
 #[derive(Debug)]

@@ -279,7 +279,9 @@ impl Trainings {
             }
         }
         if std::mem::take(&mut self.changed) {
-            context.host.store(TRAININGS_KEY, &self.encode(context.documents));
+            context
+                .host
+                .store(TRAININGS_KEY, &self.encode(context.documents));
         }
     }
 

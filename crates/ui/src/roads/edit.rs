@@ -333,10 +333,15 @@ mod tests {
         documents.add_road(RoadClass::Track, &across[1..]);
         assert_eq!(crossings(&documents), 1);
         assert!(documents.delete_road_point(0, 2));
-        let course = |documents: &Documents, road: usize| documents.mission.roads[road].course.clone();
+        let course =
+            |documents: &Documents, road: usize| documents.mission.roads[road].course.clone();
         assert_eq!(course(&documents, 0), line(&[0.0, 20.0, 100.0]));
         assert_eq!(course(&documents, 1), [place(40.0), place(-40.0)]);
-        assert_eq!(course(&documents, 2), across[1..], "a road keeps two points");
+        assert_eq!(
+            course(&documents, 2),
+            across[1..],
+            "a road keeps two points"
+        );
         documents.undo();
         assert_eq!(course(&documents, 0).len(), 4);
         assert_eq!(course(&documents, 1), across);

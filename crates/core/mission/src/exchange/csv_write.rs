@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use super::complex::COMPLEX;
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::item_route::{FIRST, RETURN};
 use super::written::WrittenFile;
-use super::{ExchangeError, csv_read, fence, flown_text, rally, waypoints};
+use super::{ExchangeError, Format, csv_read, fence, flown_text, rally, waypoints};
 use crate::mission::way_point_file::{StatedCircles, action_word, frame_word};
 use crate::mission::{FEATURE_MEMBER, HOME, Route, WayPoint, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
@@ -22,14 +23,24 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "CSV",
     extensions: &["csv", "tsv"],
     is_told_by_extension: true,
-    begins: None,
     is_mission: false,
     holds_tracks: true,
     beside: HeldBeside::Nothing,
 };
 
+/// Any table that is nobody else's. No text has zeros.
+fn claims(look: &FileLook<'_>) -> Claim {
+    let is_text = || Format::of_name(look.name).is_some() || !look.head.contains('\0');
+    match look.form {
+        FileForm::Text if look.is_named(&INFO) => Claim::Named,
+        FileForm::Text if look.is_table() && is_text() => Claim::Possible,
+        _ => Claim::None,
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Text(csv_read::read),
     write: |places, frame| {
         let text = match (places.routes, places.landmarks) {

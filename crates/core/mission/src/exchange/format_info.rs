@@ -23,8 +23,6 @@ pub(super) struct FormatInfo {
     pub extensions: &'static [&'static str],
     /// Whether the extension of a file's name tells it; else that is another format's.
     pub is_told_by_extension: bool,
-    /// Text with which each of its files begins, if that tells it from all others.
-    pub begins: Option<&'static str>,
     /// Whether it holds one mission of an aircraft, and nothing else.
     pub is_mission: bool,
     /// Whether it holds a flown track.

@@ -1,5 +1,6 @@
 //! Reader and writers of a format.
 
+use super::file_look::{Claim, FileLook};
 use super::flown_track::FlownTrack;
 use super::found::GeodeticContent;
 use super::written::WrittenFile;
@@ -8,6 +9,8 @@ use pilotage_base::frames::LocalFrame;
 
 /// Reader and writers of a format.
 pub(super) struct FormatWork {
+    /// Tells whether a file is of the format.
+    pub claims: fn(&FileLook<'_>) -> Claim,
     /// Reader of its files.
     pub read: Read,
     /// Writes places that the format holds: of a mission, its one route.

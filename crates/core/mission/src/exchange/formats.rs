@@ -51,12 +51,6 @@ impl Format {
         Self::all().filter(|format| format.info().is_told_by_extension)
     }
 
-    /// Whether a text that begins with `head` is of the format for sure.
-    pub(super) fn begins(self, head: &str) -> bool {
-        let begins = self.info().begins;
-        begins.is_some_and(|begins| head.starts_with(begins))
-    }
-
     /// Words for a file of the format, as in "save the route as …".
     pub fn as_words(self) -> &'static str {
         self.info().as_words

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use super::fence::{CIRCLE_CORNERS, circle_corners};
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
@@ -27,14 +28,22 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "GeoJSON",
     extensions: &["geojson", "json"],
     is_told_by_extension: true,
-    begins: None,
     is_mission: false,
     holds_tracks: true,
     beside: HeldBeside::AreasAndRally,
 };
 
+/// Any JSON that is nobody else's.
+fn claims(look: &FileLook<'_>) -> Claim {
+    match look.form {
+        FileForm::Json => Claim::Possible,
+        _ => look.named_text(&INFO),
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Text(read),
     write: |places, frame| Ok(WrittenFile::of_text(write(places, frame))),
     track: Some(TrackWork {

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::Value;
 
 use super::embedded::{self, EmbeddedItem};
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
@@ -24,14 +25,23 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "GPX",
     extensions: &["gpx", "lnmpln"],
     is_told_by_extension: true,
-    begins: None,
     is_mission: false,
     holds_tracks: true,
     beside: HeldBeside::Rally,
 };
 
+fn claims(look: &FileLook<'_>) -> Claim {
+    let has = |word: &str| look.head.contains(word);
+    match look.form {
+        FileForm::Xml if has("<gpx") || has("<LittleNavmap") => Claim::Sure,
+        FileForm::Xml if look.is_named(&INFO) => Claim::Named,
+        _ => look.named_text(&INFO),
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Text(read),
     write: |places, frame| {
         let (text, mut notes) = write(places, frame);

@@ -1,5 +1,6 @@
 //! The format KML.
 
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::kml_write::write;
@@ -16,14 +17,22 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "KML",
     extensions: &["kml"],
     is_told_by_extension: true,
-    begins: None,
     is_mission: false,
     holds_tracks: true,
     beside: HeldBeside::AreasAndRally,
 };
 
+fn claims(look: &FileLook<'_>) -> Claim {
+    match look.form {
+        FileForm::Xml if look.head.contains("<kml") || look.head.contains(":kml") => Claim::Likely,
+        FileForm::Xml if look.is_named(&INFO) => Claim::Named,
+        _ => look.named_text(&INFO),
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Text(kml_read::read),
     write: |places, frame| Ok(WrittenFile::of_text(write(places, frame))),
     track: Some(TrackWork {

@@ -1,5 +1,6 @@
 //! The format KMZ: KML, zipped.
 
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::kml::UNDATED;
@@ -13,14 +14,22 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "KMZ",
     extensions: &["kmz"],
     is_told_by_extension: true,
-    begins: None,
     is_mission: false,
     holds_tracks: true,
     beside: HeldBeside::AreasAndRally,
 };
 
+/// A zip of that name, or in whose list there is a document of KML.
+fn claims(look: &FileLook<'_>) -> Claim {
+    match look.form {
+        FileForm::Zip if look.is_named(&INFO) || look.has(b".kml") => Claim::Likely,
+        _ => look.named_text(&INFO),
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Bytes(kml_read::read_packed),
     write: |places, frame| {
         let (text, notes) = write(places, frame);

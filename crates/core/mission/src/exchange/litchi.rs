@@ -3,6 +3,7 @@
 
 use super::air_altitudes::altitudes_in_the_air;
 use super::csv_write::{of_routes_left_out, quoted};
+use super::file_look::Claim;
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::item_route::GROUND_SPEED;
@@ -18,7 +19,6 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "a Litchi table (CSV)",
     extensions: &["csv"],
     is_told_by_extension: false,
-    begins: None,
     is_mission: true,
     holds_tracks: false,
     beside: HeldBeside::Nothing,
@@ -26,6 +26,8 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    // It is a table as others are, and is read as that.
+    claims: |_| Claim::None,
     read: Read::Text(csv_read::read),
     write: |places, frame| {
         let (text, mut notes) = write(&places.routes[0], frame)?;

@@ -25,6 +25,7 @@ mod decoded_text;
 mod embedded;
 mod error;
 mod fence;
+mod file_look;
 mod flown;
 mod flown_kml;
 mod flown_text;

@@ -3,6 +3,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
@@ -15,14 +16,40 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "a QGroundControl plan",
     extensions: &["plan", "mission"],
     is_told_by_extension: true,
-    begins: None,
     is_mission: true,
     holds_tracks: false,
     beside: HeldBeside::AreasAndRally,
 };
 
+fn claims(look: &FileLook<'_>) -> Claim {
+    let is_inav = || inav::is_inav(look.head);
+    match look.form {
+        FileForm::Zip => Claim::None,
+        FileForm::Xml if is_inav() => Claim::Likely,
+        FileForm::Xml => Claim::None,
+        FileForm::Json if look.is_named(&INFO) || is_inav() || is_plan(look) => Claim::Sure,
+        FileForm::Json => Claim::None,
+        FileForm::Text if is_inav() => Claim::Sure,
+        FileForm::Text => look.named_text(&INFO),
+    }
+}
+
+/// Whether JSON is a plan, or a mission of `QGroundControl` before there were plans.
+fn is_plan(look: &FileLook<'_>) -> bool {
+    let text = String::from_utf8_lossy(look.bytes);
+    let has = |member: &str| text.contains(member);
+    if (has("\"fileType\"") || has("\"MAV_AUTOPILOT\"")) && !has("\"FeatureCollection\"") {
+        return true;
+    }
+    // Large files are parsed only where they may be one.
+    has("\"items\"")
+        && serde_json::from_str::<Map<String, Value>>(&text)
+            .is_ok_and(|members| is_mission(&members))
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Text(|file, content| match as_plan(content) {
         Some(plan) => read(file, &plan),
         None if inav::is_inav(content) => inav::read(file, content),

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::fence::{self, is_fence};
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
@@ -27,14 +28,24 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "way-points (QGC WPL)",
     extensions: &["waypoints", "wpl", "txt"],
     is_told_by_extension: true,
-    begins: Some("QGC WPL"),
     is_mission: true,
     holds_tracks: false,
     beside: HeldBeside::RallyAlone,
 };
 
+/// Text that begins so, and any other of that name that is no table.
+fn claims(look: &FileLook<'_>) -> Claim {
+    match look.form {
+        FileForm::Zip => Claim::None,
+        _ if look.head.starts_with(HEADER) => Claim::Special,
+        _ if look.is_table() => Claim::None,
+        _ => look.named_text(&INFO),
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Text(read),
     write: |places, frame| {
         let text = match places.routes.first() {

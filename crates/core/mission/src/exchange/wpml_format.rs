@@ -1,8 +1,9 @@
 //! The format WPML.
 
+use super::file_look::{Claim, FileForm, FileLook};
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
-use super::wpml::{NAME, read, write};
+use super::wpml::{NAME, is_text, is_zip, read, write};
 use super::written::WrittenFile;
 use super::{fence, rally};
 
@@ -12,14 +13,23 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     as_words: "a DJI mission (WPML)",
     extensions: &["kmz", "wpml"],
     is_told_by_extension: false,
-    begins: None,
     is_mission: true,
     holds_tracks: false,
     beside: HeldBeside::Nothing,
 };
 
+/// It is a kind of KML, or of a zip with that.
+fn claims(look: &FileLook<'_>) -> Claim {
+    match look.form {
+        FileForm::Zip if is_zip(look.bytes) => Claim::Special,
+        FileForm::Xml if is_text(look.head) => Claim::Special,
+        _ => Claim::None,
+    }
+}
+
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
+    claims: claims,
     read: Read::Bytes(read),
     write: |places, frame| {
         let (bytes, mut notes) = write(&places.routes[0], frame)?;
