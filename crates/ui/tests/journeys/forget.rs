@@ -1,7 +1,7 @@
 //! Files of each kind opened after files of each kind: nothing of the flight before stays on screen, and nothing that
 //! was being done about it goes on.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use egui::{Key, Modifiers};
@@ -155,52 +155,8 @@ fn leave_traces(rig: &mut Rig) {
     }
 }
 
-/// Parts of the state that are of a flight, of what was found out about it, or of what people do to it: a flight that takes
-/// the place of another one brings its own.
-const OF_A_FLIGHT: [&str; 40] = [
-    "title",
-    "origin",
-    "labels",
-    "terrain",
-    "flight",
-    "frames",
-    "pictures",
-    "bookmarks",
-    "landmarks",
-    "selection",
-    "distinctness",
-    "redo",
-    "navigator",
-    "job",
-    "run_steps",
-    "run_complete",
-    "run_landmarks",
-    "accepted",
-    "laid",
-    "candidates",
-    "ghost_steps",
-    "step",
-    "span",
-    "selected",
-    "playing",
-    "log",
-    "photos",
-    "outage",
-    "camera_log",
-    "match",
-    "detector",
-    "labelling",
-    "georeferencer",
-    "columns",
-    "roads",
-    "measure",
-    "tour",
-    "study",
-    "timeline",
-    "contest",
-];
-
-/// Parts of the state that are compared with nothing, and the reason.
+/// Parts of the state that are compared with nothing, and the reason. All others are of a flight, of what was found out about
+/// it, or of what people do to it: a flight that takes the place of another one brings its own.
 const LEFT_OUT: [(&str, &str); 23] = [
     ("undo", "counts steps back to the mission before, too"),
     ("run_generation", "counts every run of a visit"),
@@ -233,14 +189,14 @@ const LEFT_OUT: [(&str, &str); 23] = [
     ("link", "has no state"),
 ];
 
-/// State of everything that is of a flight.
-fn of_flight(state: &Value) -> Value {
-    let part = |name: &str| match name {
-        "contest" => state["compare"]["contest"].clone(),
-        _ => state[name].clone(),
-    };
-    let parts = OF_A_FLIGHT.map(|name| (name.to_owned(), part(name)));
-    Value::Object(parts.into_iter().collect())
+/// State of everything that is of a flight, by name; the contest stands apart from what it is compared in.
+fn of_flight(state: &Value) -> BTreeMap<String, Value> {
+    let parts = state.as_object().expect("an object").iter();
+    let is_left_out = |name: &str| LEFT_OUT.iter().any(|(left, _)| *left == name);
+    let parts = parts.filter(|(name, _)| !is_left_out(name));
+    let parts = parts.map(|(name, part)| (name.clone(), part.clone()));
+    let contest = state["compare"]["contest"].clone();
+    parts.chain([("contest".to_owned(), contest)]).collect()
 }
 
 /// Jobs begun so far that are neither over nor stopped; files that are given to workers have no end.
@@ -254,23 +210,16 @@ fn under_way(rig: &mut Rig) -> BTreeSet<String> {
 }
 
 #[test]
-fn every_part_of_the_state_is_compared_or_left_out_with_a_reason() {
+fn every_part_of_the_state_that_a_list_names_is_there() {
     let state = rig().state();
-    let told: BTreeSet<&str> = state
-        .as_object()
-        .expect("an object")
-        .keys()
-        .map(String::as_str)
-        .collect();
-    let left_out = LEFT_OUT.map(|(name, _)| name);
-    let sorted = OF_A_FLIGHT.into_iter().filter(|name| *name != "contest");
-    let sorted: Vec<&str> = sorted.chain(left_out).collect();
-    let known: BTreeSet<&str> = sorted.iter().copied().collect();
-    assert_eq!(known.len(), sorted.len(), "a part stands in both lists");
-    let new: Vec<_> = told.difference(&known).collect();
-    assert!(new.is_empty(), "compared or left out? {new:?}");
-    let gone: Vec<_> = known.difference(&told).collect();
-    assert!(gone.is_empty(), "no part of the state: {gone:?}");
+    let compared = of_flight(&state);
+    let brought = Kind::ALL.iter().flat_map(|kind| kind.brings());
+    for name in brought {
+        assert!(compared.contains_key(*name), "nothing is compared: {name}");
+    }
+    for (name, _) in LEFT_OUT {
+        assert!(state.get(name).is_some(), "no part of the state: {name}");
+    }
 }
 
 #[test]
@@ -296,13 +245,14 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
             let before = under_way(&mut rig);
             new.open(&mut rig);
             let found = of_flight(&rig.state());
-            for name in OF_A_FLIGHT {
+            for (name, expected) in &expected {
                 // Photos that were opened before there was a map are laid on the one that comes.
-                let is_awaited = (new, old, name) == (Kind::FarMap, Kind::Photos, "photos");
-                if found[name] != expected[name] && !is_awaited {
+                let is_awaited =
+                    (new, old, name.as_str()) == (Kind::FarMap, Kind::Photos, "photos");
+                if found[name] != *expected && !is_awaited {
                     left.push(format!(
-                        "{new:?} after {old:?}: {name} is {}, not {}",
-                        found[name], expected[name]
+                        "{new:?} after {old:?}: {name} is {}, not {expected}",
+                        found[name]
                     ));
                 }
             }
@@ -345,7 +295,7 @@ impl Kind {
                 "step",
                 "span",
             ],
-            Self::Log | Self::Sentences | Self::Folder | Self::FarMap => &OF_A_FLIGHT,
+            Self::Log | Self::Sentences | Self::Folder | Self::FarMap => &[],
         }
     }
 }
@@ -364,14 +314,17 @@ fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() 
             let before = of_flight(&rig.state());
             new.open(&mut rig);
             let after = of_flight(&rig.state());
-            let stays = OF_A_FLIGHT.iter().filter(|it| !new.brings().contains(it));
-            for name in stays {
+            let stays = before
+                .iter()
+                .filter(|(name, _)| !new.brings().contains(&name.as_str()));
+            for (name, before) in stays {
                 // A flight that could not be navigated is begun anew with a mission, as if it were another.
-                let is_anew = (new, old, *name) == (Kind::Mission, Kind::Sentences, "outage");
-                if after[name] != before[name] && !is_anew {
+                let is_anew =
+                    (new, old, name.as_str()) == (Kind::Mission, Kind::Sentences, "outage");
+                if after[name] != *before && !is_anew {
                     changed.push(format!(
-                        "{new:?} after {old:?}: {name} is {}, not {}",
-                        after[name], before[name]
+                        "{new:?} after {old:?}: {name} is {}, not {before}",
+                        after[name]
                     ));
                 }
             }
