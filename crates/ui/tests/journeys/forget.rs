@@ -124,8 +124,8 @@ fn barn() -> Vec<u8> {
     text.as_bytes().to_vec()
 }
 
-/// Leaves traces of the flight that is open wherever people can: bookmarks, a selected stretch, an outage, a contest, a
-/// match that is explained, a proposal of a label.
+/// Leaves traces of the flight that is open wherever people can: bookmarks, a selected stretch, a match that is explained,
+/// an outage, a contest.
 fn leave_traces(rig: &mut Rig) {
     if rig.state()["workspace"] != "Replay" {
         rig.open_tab("Replay");
@@ -137,14 +137,20 @@ fn leave_traces(rig: &mut Rig) {
         rig.key(Key::B);
         rig.drag_with(Modifiers::SHIFT, at(0.3), at(0.6));
     }
+    let has_tab = |rig: &Rig, tab: &str| {
+        let role = egui::accesskit::Role::Tab;
+        rig.harness.query_all_by_role_and_label(role, tab).count() == 1
+    };
+    if has_tab(rig, "Match") {
+        rig.key(Key::End);
+        rig.open_tab("Match");
+        rig.settle();
+    }
     for (tab, button) in [
         ("GPS outage", "Cut GPS from"),
         ("Compare", "Fly by all estimators"),
     ] {
-        let tabs = rig
-            .harness
-            .query_all_by_role_and_label(egui::accesskit::Role::Tab, tab);
-        if tabs.count() != 1 {
+        if !has_tab(rig, tab) {
             continue;
         }
         rig.open_tab(tab);
@@ -236,11 +242,14 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
             let mut rig = rig();
             old.open(&mut rig);
             leave_traces(&mut rig);
-            if old == Kind::Log {
-                let state = of_flight(&rig.state());
-                for name in ["outage", "contest", "selected", "log"] {
-                    assert!(!state[name].is_null(), "no trace of {name}");
-                }
+            let traces: &[_] = match old {
+                Kind::Log => &["outage", "contest", "selected", "log"],
+                Kind::Folder | Kind::Mission | Kind::Run => &["match", "contest", "selected"],
+                _ => &[],
+            };
+            let state = of_flight(&rig.state());
+            for name in traces {
+                assert!(!state[*name].is_null(), "{old:?}: no trace of {name}");
             }
             let before = under_way(&mut rig);
             new.open(&mut rig);
@@ -307,11 +316,15 @@ fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() 
         .into_iter()
         .filter(|kind| !kind.takes_the_flights_place())
     {
+        let mut alone = rig();
+        new.open(&mut alone);
+        let alone = of_flight(&alone.state());
         for old in Kind::ALL {
             let mut rig = rig();
             old.open(&mut rig);
             leave_traces(&mut rig);
             let before = of_flight(&rig.state());
+            let begun = under_way(&mut rig);
             new.open(&mut rig);
             let after = of_flight(&rig.state());
             let stays = before
@@ -327,6 +340,21 @@ fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() 
                         after[name]
                     ));
                 }
+            }
+            // Jobs about the run before are over with it; an outage is of the flight, and says of which run.
+            let going_on = under_way(&mut rig);
+            let going_on = going_on.intersection(&begun);
+            let going_on: Vec<_> = going_on.filter(|job| !job.contains("Outage(")).collect();
+            if matches!(new, Kind::Mission | Kind::Run) && !going_on.is_empty() {
+                changed.push(format!("{new:?} after {old:?}: {going_on:?} go on"));
+            }
+            // What came of a run that is opened is that run's, or it was not opened.
+            let is_of = |state: &BTreeMap<_, _>| {
+                let mut of_run = ["accepted", "candidates", "run_steps"].iter();
+                of_run.all(|name| after[*name] == state[*name])
+            };
+            if new == Kind::Run && !is_of(&alone) && !is_of(&before) {
+                changed.push(format!("{new:?} after {old:?}: parts of two runs"));
             }
             // A match is of its run alone.
             let of_run = &after["match"];
