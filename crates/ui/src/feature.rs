@@ -305,8 +305,9 @@ pub trait Feature {
         Vec::new()
     }
 
-    /// Takes an event of a job that it started; whether it waits for that job. One that nobody waits for is a fault of
-    /// the program, and told: a feature waits for a job until its last event, or says that it waits no more.
+    /// Takes an event of a job that it started; whether it waits for that job, and for events of that kind. One that
+    /// nobody waits for is a fault of the program, and told: a feature waits for a job until its last event, or says that
+    /// it waits no more.
     fn on_event(
         &mut self,
         _job: JobId,

@@ -12,7 +12,7 @@ use crate::documents::{Session, Staged, is_run_of};
 use crate::feature::Feature;
 use crate::host::Host;
 use crate::map::MapLayer;
-use pilotage_jobs::{FlightSource, JobEvent, MapSource};
+use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource};
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
@@ -165,10 +165,15 @@ impl App {
         self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
     }
 
-    /// Takes what the worker that flies says.
-    pub(super) fn fly_event(&mut self, egui: &egui::Context, host: &mut dyn Host, event: JobEvent) {
-        let Some(fly) = &mut self.fly_work.job else {
-            return;
+    /// Takes what the worker that flies says; false if no such flight is awaited, or nothing of that kind of it.
+    pub(super) fn fly_event(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        (id, event): (JobId, JobEvent),
+    ) -> bool {
+        let Some(fly) = self.fly_work.job.as_mut().filter(|fly| fly.id == id) else {
+            return false;
         };
         match event {
             JobEvent::Progress(fraction, words) => {
@@ -250,8 +255,9 @@ impl App {
                 let text = format!("{why} {kept}");
                 self.toasts.trouble(host.now(), CANNOT_FLY, text);
             }
-            _ => {}
+            _ => return false,
         }
+        true
     }
 
     /// Shows the run of what is flown, which has begun.

@@ -46,10 +46,10 @@ impl FramePictureRequests {
         }
     }
 
-    /// Takes what a worker says of a picture.
-    pub fn take(&mut self, id: JobId, event: &JobEvent, camera: &mut CameraView) {
+    /// Takes what a worker says of a picture; false if no such picture is awaited, or nothing of that kind of it.
+    pub fn take(&mut self, id: JobId, event: &JobEvent, camera: &mut CameraView) -> bool {
         let Some(place) = self.0.iter().position(|(own, ..)| *own == id) else {
-            return;
+            return false;
         };
         let (_, frame, key) = self.0[place];
         match event {
@@ -57,11 +57,13 @@ impl FramePictureRequests {
                 camera.prepare(frame, key, *width, pixels);
             }
             JobEvent::Failed(why) => camera.refuse(key, why),
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if event.is_last() {
             self.0.remove(place);
         }
+        true
     }
 
     /// Wants none of them any more.

@@ -13,14 +13,17 @@ use crate::shell::Toasts;
 pub struct HeightWork(Option<JobId>);
 
 impl HeightWork {
-    /// Takes an event of its job.
+    /// Takes an event of its job; false if it waits for no such job, or nothing of that kind of it.
     pub fn take(
         &mut self,
-        event: JobEvent,
+        (id, event): (JobId, JobEvent),
         documents: &mut Documents,
         toasts: &mut Toasts,
         host: &dyn Host,
-    ) {
+    ) -> bool {
+        if self.0 != Some(id) {
+            return false;
+        }
         let now = host.now();
         match event {
             JobEvent::Remark(text) => tell_of_map(&text, toasts, host),
@@ -38,8 +41,11 @@ impl HeightWork {
                 toasts.trouble(now, "The heights cannot be read", why);
             }
             JobEvent::Finished | JobEvent::Cancelled => self.0 = None,
-            _ => {}
+            // Nobody is shown how far it is.
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
+        true
     }
 
     /// Uses another elevation model.

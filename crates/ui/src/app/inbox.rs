@@ -61,35 +61,50 @@ impl App {
             Addressee::Over => return,
             Addressee::Nobody => return self.tell_of_nobody(host),
         };
-        match owner {
-            JobOwner::Feature(feature) => {
-                if !self.feature_event(feature, context, host, (id, event)) {
-                    self.tell_of_nobody(host);
-                }
-            }
-            JobOwner::FramePictures => {
-                self.frame_pictures.take(id, &event, &mut self.views.camera);
-            }
-            JobOwner::Flight => self.fly_event(context, host, event),
-            JobOwner::Map => {
-                let (work, mut parts) = self.map_parts(host);
-                if work.take(id, event, context, &mut parts) {
-                    self.fit_to_flight_and_map();
-                }
-            }
+        let is_awaited = match owner {
+            JobOwner::Feature(feature) => self.feature_event(feature, context, host, (id, event)),
+            JobOwner::FramePictures => self.frame_pictures.take(id, &event, &mut self.views.camera),
+            JobOwner::Flight => self.fly_event(context, host, (id, event)),
+            JobOwner::Map => self.map_event(context, host, id, event),
             JobOwner::Heights => {
                 let (documents, toasts) = (&mut self.documents, &mut self.toasts);
-                self.height_work.take(event, documents, toasts, host);
+                self.height_work.take((id, event), documents, toasts, host)
             }
             JobOwner::Openings => self.open_event(context, host, id, event),
-            // The job that reads files tells what is wrong with them; here they did not even arrive.
-            JobOwner::Files => {
-                if let JobEvent::Failed(why) = event {
-                    let title = "The files did not reach the workers";
-                    self.toasts.trouble(host.now(), title, why);
-                }
-            }
+            JobOwner::Files => self.files_event(event, host),
+        };
+        if !is_awaited {
+            self.tell_of_nobody(host);
         }
+    }
+
+    fn map_event(
+        &mut self,
+        context: &egui::Context,
+        host: &mut dyn Host,
+        id: JobId,
+        event: JobEvent,
+    ) -> bool {
+        let is_description = matches!(event, JobEvent::MapInfo(_));
+        let (work, mut parts) = self.map_parts(host);
+        let is_awaited = work.take(id, event, context, &mut parts);
+        if is_awaited && is_description && std::mem::take(&mut self.map_work.fits_flight) {
+            self.fit_to_flight_and_map();
+        }
+        is_awaited
+    }
+
+    /// The job that reads files tells what is wrong with them; here they did not even arrive.
+    fn files_event(&mut self, event: JobEvent, host: &dyn Host) -> bool {
+        match event {
+            JobEvent::Failed(why) => {
+                let title = "The files did not reach the workers";
+                self.toasts.trouble(host.now(), title, why);
+            }
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
+        }
+        true
     }
 
     /// An event of a job that its owner left while it ran is of no use any more, but for what a worker says of a map once
@@ -121,10 +136,14 @@ impl App {
         host: &mut dyn Host,
         id: JobId,
         event: JobEvent,
-    ) {
+    ) -> bool {
+        if !self.openings.is_under_way(id) {
+            return false;
+        }
         let now = host.now();
         match event {
             JobEvent::Opened(opened) => {
+                host.owners().leave(id);
                 if let Some(set) = self.openings.end(id) {
                     // What is said from here on is of these files.
                     self.toasts.withdraw_notes();
@@ -140,8 +159,10 @@ impl App {
             JobEvent::Finished | JobEvent::Cancelled => {
                 self.openings.end(id);
             }
-            _ => {}
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
+        true
     }
 
     /// A mission that was opened takes the place of the one that is open, one undo step away from it.

@@ -48,7 +48,7 @@ pub struct MapParts<'a> {
 }
 
 impl MapWork {
-    /// Takes an event of a job of its own; whether the map is to be fitted to the flight by it.
+    /// Takes an event of a job of its own; false if it waits for no such job, or nothing of that kind of it.
     pub fn take(
         &mut self,
         id: JobId,
@@ -57,12 +57,12 @@ impl MapWork {
         parts: &mut MapParts<'_>,
     ) -> bool {
         if self.tiles.contains_key(&id) {
-            self.take_tile(id, event, egui, parts);
-            false
+            self.take_tile(id, event, egui, parts)
         } else if self.describing == Some(id) {
             self.take_description(event, parts)
+        } else if self.preparing.as_ref().is_some_and(|it| it.0 == id) {
+            self.take_overview(id, event, parts)
         } else {
-            self.take_overview(id, event, parts);
             false
         }
     }
@@ -155,7 +155,7 @@ impl MapWork {
         event: JobEvent,
         egui: &egui::Context,
         parts: &mut MapParts<'_>,
-    ) {
+    ) -> bool {
         let tiles = &mut parts.view.tiles;
         match event {
             JobEvent::Tile {
@@ -180,8 +180,10 @@ impl MapWork {
                     tiles.insert(egui, &key.window(), &empty, true);
                 }
             }
-            _ => {}
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
+        true
     }
 
     fn take_description(&mut self, event: JobEvent, parts: &mut MapParts<'_>) -> bool {
@@ -195,7 +197,6 @@ impl MapWork {
                     view.fit(info.bounds);
                 }
                 documents.map.info = Some(info);
-                return std::mem::take(&mut self.fits_flight);
             }
             JobEvent::Failed(why) => {
                 self.describing = None;
@@ -203,12 +204,13 @@ impl MapWork {
                 parts.toasts.trouble(now, "The map cannot be shown", why);
             }
             JobEvent::Finished | JobEvent::Cancelled => self.describing = None,
-            _ => {}
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
-        false
+        true
     }
 
-    fn take_overview(&mut self, id: JobId, event: JobEvent, parts: &mut MapParts<'_>) {
+    fn take_overview(&mut self, id: JobId, event: JobEvent, parts: &mut MapParts<'_>) -> bool {
         let now = parts.host.now();
         let tiles = &mut parts.view.tiles;
         match event {
@@ -232,8 +234,9 @@ impl MapWork {
                 parts.toasts.trouble(now, title, why);
             }
             JobEvent::Cancelled => self.preparing = None,
-            _ => {}
+            _ => return false,
         }
+        true
     }
 
     /// Has the map made ready for wide views, unless that is under way, was just done or was stopped.

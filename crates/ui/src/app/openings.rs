@@ -59,6 +59,11 @@ impl Openings {
         self.under_way.insert(id, Opening { set, words });
     }
 
+    /// Whether a job looks at opened files.
+    pub fn is_under_way(&self, id: JobId) -> bool {
+        self.under_way.contains_key(&id)
+    }
+
     /// Takes away a job that is over; the files at which it looked.
     pub fn end(&mut self, id: JobId) -> Option<OpenedSet> {
         self.under_way.remove(&id).map(|it| it.set)

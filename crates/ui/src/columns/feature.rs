@@ -123,7 +123,8 @@ impl Feature for ColumnsFeature {
                 draft.failed = Some(why);
             }
             JobEvent::Finished | JobEvent::Cancelled => draft.job = None,
-            _ => {}
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
         true
     }

@@ -200,7 +200,8 @@ impl Feature for ExportsFeature {
                 }
                 context.trouble(&title, sentences(&why));
             }
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if is_last {
             self.making.remove(place);

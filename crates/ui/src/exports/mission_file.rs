@@ -77,7 +77,8 @@ impl MissionFile {
                 }
             }
             JobEvent::Failed(why) => context.trouble("The mission was not saved", why),
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if is_last {
             self.0 = None;

@@ -134,7 +134,12 @@ impl Feature for Outages {
             JobEvent::OutagesStudied(report) => {
                 (self.study, self.study_of) = (Some(*report), self.asked_of);
             }
-            _ => {}
+            JobEvent::Progress(..)
+            | JobEvent::Remark(_)
+            | JobEvent::Finished
+            | JobEvent::Cancelled
+            | JobEvent::Failed(_) => {}
+            _ => return false,
         }
         true
     }

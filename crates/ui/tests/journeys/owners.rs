@@ -1,7 +1,15 @@
-use pilotage_jobs::JobEvent;
+//! Answers of jobs that nobody waits for: told as a fault, whoever owns the job.
+
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+use pilotage_core::frames::Geodetic;
+use pilotage_core::imagery::terrain::HeightDatum;
+use pilotage_jobs::{Job, JobEvent, OpenedFiles, TerrainInfo};
+use pilotage_ui::host::OpenedFile;
 use pilotage_ui::job_owners::JobOwner;
 
-use super::support::{Rig, rig};
+use super::reopen::nothing;
+use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 /// Titles of notices about faults of the program.
 fn faults(rig: &Rig) -> Vec<String> {
@@ -30,4 +38,97 @@ fn an_answer_for_which_its_owner_does_not_wait_is_told() {
     host.events.push((9_999, JobEvent::Places(Vec::new())));
     rig.frames(3);
     assert_eq!(faults(&rig), ["\"An answer was not used\""]);
+}
+
+/// Faults that are told once a job that was asked for answers by what its owner does not know.
+fn faults_of_strange_answer(is_it: fn(&Job) -> bool, ask: fn(&mut Rig)) -> Vec<String> {
+    let host = ScriptedHost {
+        left: Some(is_it),
+        ..ScriptedHost::default()
+    };
+    let mut rig = rig_on(host, egui::vec2(1440.0, 900.0));
+    ask(&mut rig);
+    rig.frames(3);
+    let host = rig.host();
+    let jobs = host
+        .jobs
+        .iter()
+        .filter(|(id, _)| !host.cancelled.contains(id));
+    let job = jobs.rev().find(|(_, job)| is_it(job)).expect("asked for").0;
+    host.events.push((job, JobEvent::Places(Vec::new())));
+    rig.frames(3);
+    faults(&rig)
+}
+
+fn open_a_file(rig: &mut Rig) {
+    rig.host().opened.push(vec![OpenedFile {
+        path: "a.txt".to_owned(),
+        content: vec![1].into(),
+    }]);
+}
+
+fn open_heights(rig: &mut Rig) {
+    rig.host().opens = Some(OpenedFiles {
+        terrain: Some(TerrainInfo {
+            name: "ridge.tif".into(),
+            datum: HeightDatum::MeanSeaLevel("EGM96".into()),
+            spacing: 10.0,
+            middle: Geodetic::from_degrees(45.0, -30.0, 0.0),
+        }),
+        ..nothing()
+    });
+    open_a_file(rig);
+    rig.settle();
+}
+
+#[test]
+fn an_answer_of_a_kind_that_its_owner_does_not_know_is_told() {
+    let none: fn(&mut Rig) = |_| {};
+    let cut: fn(&mut Rig) = |rig| {
+        rig.open_tab("GPS outage");
+        let strip = rig.rect("/timeline");
+        let at = |share: f32| egui::pos2(strip.left() + share * strip.width(), strip.center().y);
+        rig.drag_with(Modifiers::SHIFT, at(0.4), at(0.6));
+        rig.frames(3);
+        rig.harness.get_by_label_contains("Cut GPS from").click();
+    };
+    let save: fn(&mut Rig) = |rig| rig.key_with(Modifiers::COMMAND, Key::S);
+    let jobs: [(fn(&Job) -> bool, _); 9] = [
+        (|job| matches!(job, Job::Fly(_)), none),
+        (|job| matches!(job, Job::FramePicture(_)), none),
+        (|job| matches!(job, Job::DescribeMap(_)), none),
+        (|job| matches!(job, Job::Tile(_)), none),
+        (|job| matches!(job, Job::TakeHeights(_)), open_heights),
+        (|job| matches!(job, Job::Open(_)), open_a_file),
+        (|job| matches!(job, Job::Provide(_)), open_a_file),
+        (|job| matches!(job, Job::Outage(_)), cut),
+        (|job| matches!(job, Job::Pack(_)), save),
+    ];
+    for (index, (is_it, ask)) in jobs.into_iter().enumerate() {
+        let told = faults_of_strange_answer(is_it, ask);
+        assert_eq!(
+            told,
+            ["\"An answer was not used\""],
+            "job {index} of the list"
+        );
+    }
+}
+
+#[test]
+fn an_answer_for_which_no_part_of_the_app_waits_is_told() {
+    for owner in [
+        JobOwner::Flight,
+        JobOwner::FramePictures,
+        JobOwner::Map,
+        JobOwner::Heights,
+        JobOwner::Openings,
+        JobOwner::Files,
+    ] {
+        let mut rig = rig();
+        let host = rig.host();
+        host.owners.own(9_999, owner);
+        host.events.push((9_999, JobEvent::Places(Vec::new())));
+        rig.frames(3);
+        assert_eq!(faults(&rig), ["\"An answer was not used\""], "{owner:?}");
+    }
 }
