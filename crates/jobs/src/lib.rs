@@ -176,5 +176,6 @@ orders! {
         ReadStudyPlan(ReadStudyPlanOrder);
         StudyEnough: pub use study_enough::StudyEnoughOrder;
         StudyFlights: pub use study_flights::StudyFlightsOrder;
+        Echo: pub use echo::EchoOrder;
     }
 }

@@ -59,4 +59,5 @@ features! {
     pub roads::Roads,
     pub screenshot::Screenshot,
     film::Films,
+    pub hello::Hello,
 }
