@@ -176,6 +176,5 @@ orders! {
         ReadStudyPlan(ReadStudyPlanOrder);
         StudyEnough: pub use study_enough::StudyEnoughOrder;
         StudyFlights: pub use study_flights::StudyFlightsOrder;
-        Echo: pub use echo::EchoOrder;
     }
 }

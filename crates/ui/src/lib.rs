@@ -59,5 +59,4 @@ features! {
     pub roads::Roads,
     pub screenshot::Screenshot,
     film::Films,
-    pub hello::Hello,
 }
