@@ -35,6 +35,7 @@ worlds! {
     small {
         countryside::Countryside,
         hall::Hall,
+        toy::SaltFlat,
     }
     whole {}
 }
