@@ -35,7 +35,6 @@ worlds! {
     small {
         countryside::Countryside,
         hall::Hall,
-        toy::SaltFlat,
     }
     whole {}
 }
