@@ -232,7 +232,7 @@ pub fn open_folder(pool: &Arc<dyn FileSet>, folder: FlightFolder) -> Result<Open
 }
 
 /// The mission among the files: the first that says itself that it is one, or any GeoJSON of a flight whose own that is
-/// (`is_folder`, as [`owns_geojson`] has it). Beside a log, and beside tables, a fence or roads of other programs are none.
+/// (`is_folder`, as `owns_geojson` has it). Beside a log, and beside tables, a fence or roads of other programs are none.
 ///
 /// ```
 /// use pilotage_core::flight::files::MemoryFiles;

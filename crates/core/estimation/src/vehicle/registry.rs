@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use pilotage_base::frames::{Attitude, GroundPoint};
 
 use super::{
-    AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust, AtHeight,
-    ConstantVelocity, ControlInput, HeightModel, MapError, Multirotor, OverMap, RandomWalk,
-    ThesisNoise, TiltBias, Tilted, VehicleModel, VelocityDriven,
+    AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust, AnyVehicle,
+    AtHeight, ConstantVelocity, ControlInput, HeightModel, MapError, Multirotor, OverMap,
+    RandomWalk, ThesisNoise, TiltBias, Tilted, VehicleModel, VelocityDriven,
 };
 
 /// Something that wants to work with a vehicle model of any state size.
@@ -205,7 +205,12 @@ impl VehicleSettings {
         struct MovedByAirspeed;
         impl VehicleVisitor for MovedByAirspeed {
             type Output = bool;
-            fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> bool {
+            fn visit<const N: usize, V>(self, model: V) -> bool
+            where
+                V: VehicleModel<N> + Clone + Send + Sync + 'static,
+            {
+                // By its table of functions: in the page's programs each model would stand here once more.
+                let model: AnyVehicle<N> = Arc::new(model);
                 let start = model.prior(GroundPoint::default(), 1.0).mean;
                 let after = |airspeed| {
                     let input = ControlInput::new(airspeed, Attitude::level(0.0));

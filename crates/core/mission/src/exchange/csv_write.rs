@@ -40,7 +40,7 @@ fn claims(look: &FileLook<'_>) -> Claim {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    claims: claims,
+    claims,
     read: Read::Text(csv_read::read),
     write: |places, frame| {
         let text = match (places.routes, places.landmarks) {

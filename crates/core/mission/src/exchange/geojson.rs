@@ -43,7 +43,7 @@ fn claims(look: &FileLook<'_>) -> Claim {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    claims: claims,
+    claims,
     read: Read::Text(read),
     write: |places, frame| Ok(WrittenFile::of_text(write(places, frame))),
     track: Some(TrackWork {

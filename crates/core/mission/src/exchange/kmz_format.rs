@@ -29,7 +29,7 @@ fn claims(look: &FileLook<'_>) -> Claim {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    claims: claims,
+    claims,
     read: Read::Bytes(kml_read::read_packed),
     write: |places, frame| {
         let (text, notes) = write(places, frame);

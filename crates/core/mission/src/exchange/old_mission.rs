@@ -49,7 +49,7 @@ fn is_plan(look: &FileLook<'_>) -> bool {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    claims: claims,
+    claims,
     read: Read::Text(|file, content| match as_plan(content) {
         Some(plan) => read(file, &plan),
         None if inav::is_inav(content) => inav::read(file, content),

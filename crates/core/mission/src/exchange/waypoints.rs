@@ -45,7 +45,7 @@ fn claims(look: &FileLook<'_>) -> Claim {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    claims: claims,
+    claims,
     read: Read::Text(read),
     write: |places, frame| {
         let text = match places.routes.first() {

@@ -29,7 +29,7 @@ fn claims(look: &FileLook<'_>) -> Claim {
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    claims: claims,
+    claims,
     read: Read::Bytes(read),
     write: |places, frame| {
         let (bytes, mut notes) = write(&places.routes[0], frame)?;
