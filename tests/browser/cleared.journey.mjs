@@ -23,7 +23,11 @@ export async function run(page, tools) {
   const files = () => page.evaluate(async () => {
     const root = await navigator.storage.getDirectory();
     const names = [];
-    for await (const name of (await root.getDirectoryHandle("documents", { create: true })).keys()) names.push(name);
+    try {
+      for await (const name of (await root.getDirectoryHandle("documents", { create: true })).keys()) names.push(name);
+    } catch (error) {
+      if (error.name !== "InvalidStateError") throw error; // the page just wrote one: the next look has it
+    }
     return names;
   });
   for (let i = 0; i < 240 && !(await files()).includes("session"); i += 1) await page.waitForTimeout(250);
