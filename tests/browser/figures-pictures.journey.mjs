@@ -40,7 +40,7 @@ export async function run(page, tools) {
   }));
   try {
     await tools.waitReady();
-    await tools.waitFor((s) => s.pictures > 5, "the demo", 200_000);
+    await tools.waitFor((s) => s.pictures > 2, "the demo", 200_000);
     const before = rendererMemory();
     const files = ["flight.json", "channels.csv", "frames.csv", ...names.map((name) => join("frames", name))];
     await page.setInputFiles("#files", files.map((name) => join(folder, name)));
