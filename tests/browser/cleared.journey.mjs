@@ -20,17 +20,29 @@ export async function run(page, tools) {
   await page.setInputFiles("#files", [{ name: "trip.waypoints", mimeType: "text/plain", buffer: Buffer.from(text) }]);
   const count = plan.routes.length + 1;
   await tools.waitFor((s) => s.plan.routes.length === count, "the route", 60_000);
-  const files = () => page.evaluate(async () => {
+  /** Names of the page's files; null where the browser cannot tell (some never can again until the page is loaded anew). */
+  const files = () => Promise.race([page.evaluate(async () => {
     const root = await navigator.storage.getDirectory();
     const names = [];
     try {
       for await (const name of (await root.getDirectoryHandle("documents", { create: true })).keys()) names.push(name);
     } catch (error) {
-      if (error.name !== "InvalidStateError") throw error; // the page just wrote one: the next look has it
+      if (error.name === "InvalidStateError") return null;
+      throw error;
     }
     return names;
-  });
-  for (let i = 0; i < 240 && !(await files()).includes("session"); i += 1) await page.waitForTimeout(250);
+  }), new Promise((done) => setTimeout(done, 5000, null))]);
+  let untold = 0; // looks in a row
+  for (let i = 0, names = []; i < 240 && !names?.includes("session"); i += 1) {
+    names = await files();
+    untold = names ? 0 : untold + 1;
+    if (untold === 8) {
+      tools.check(await page.evaluate(() => window.app.panic_message()) === undefined, "the program has stopped");
+      tools.say("this browser gives its file system back to no page whose data was deleted: what is kept then was not looked at");
+      return;
+    }
+    await page.waitForTimeout(250);
+  }
   // The file that was refused is stored again after eight seconds, by another connection.
   const stored = () => page.evaluate(() => new Promise((resolve, reject) => {
     const opening = indexedDB.open("pilotage");
