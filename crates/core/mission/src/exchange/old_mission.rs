@@ -24,13 +24,10 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 fn claims(look: &FileLook<'_>) -> Claim {
     let is_inav = || inav::is_inav(look.head);
     match look.form {
-        FileForm::Zip => Claim::None,
         FileForm::Xml if is_inav() => Claim::Likely,
-        FileForm::Xml => Claim::None,
         FileForm::Json if look.is_named(&INFO) || is_inav() || is_plan(look) => Claim::Sure,
-        FileForm::Json => Claim::None,
         FileForm::Text if is_inav() => Claim::Sure,
-        FileForm::Text => look.named_text(&INFO),
+        _ => look.named_text(&INFO),
     }
 }
 
