@@ -41,7 +41,7 @@ fn an_answer_for_which_its_owner_does_not_wait_is_told() {
 }
 
 /// Faults that are told once a job that was asked for answers by what its owner does not know.
-fn faults_of_strange_answer(is_it: fn(&Job) -> bool, ask: fn(&mut Rig)) -> Vec<String> {
+fn faults_of_strange_answer(is_it: IsIt, ask: Deed) -> Vec<String> {
     let host = ScriptedHost {
         left: Some(is_it),
         ..ScriptedHost::default()
@@ -81,10 +81,16 @@ fn open_heights(rig: &mut Rig) {
     rig.settle();
 }
 
+/// Question whether a job is of some kind.
+type IsIt = fn(&Job) -> bool;
+
+/// Something that people do.
+type Deed = fn(&mut Rig);
+
 #[test]
 fn an_answer_of_a_kind_that_its_owner_does_not_know_is_told() {
-    let none: fn(&mut Rig) = |_| {};
-    let cut: fn(&mut Rig) = |rig| {
+    let none: Deed = |_| {};
+    let cut: Deed = |rig| {
         rig.open_tab("GPS outage");
         let strip = rig.rect("/timeline");
         let at = |share: f32| egui::pos2(strip.left() + share * strip.width(), strip.center().y);
@@ -92,8 +98,8 @@ fn an_answer_of_a_kind_that_its_owner_does_not_know_is_told() {
         rig.frames(3);
         rig.harness.get_by_label_contains("Cut GPS from").click();
     };
-    let save: fn(&mut Rig) = |rig| rig.key_with(Modifiers::COMMAND, Key::S);
-    let jobs: [(fn(&Job) -> bool, _); 9] = [
+    let save: Deed = |rig| rig.key_with(Modifiers::COMMAND, Key::S);
+    let jobs: [(IsIt, Deed); 9] = [
         (|job| matches!(job, Job::Fly(_)), none),
         (|job| matches!(job, Job::FramePicture(_)), none),
         (|job| matches!(job, Job::DescribeMap(_)), none),
