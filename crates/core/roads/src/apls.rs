@@ -4,9 +4,10 @@
 //! counts is by which share the shortest ways between them differ. A point that has no edge near, and a way that is
 //! interrupted, count as wholly different. The total is the harmonic mean of both directions.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::BTreeMap;
 
+use petgraph::algo::dijkstra;
+use petgraph::graph::{NodeIndex, UnGraph};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 
 use crate::course::{CoursePlace, course_length, place_along, place_near};
@@ -102,7 +103,7 @@ pub fn apls(truth: &AplsGraph, proposal: &AplsGraph, settings: &AplsSettings) ->
         for (name, place) in &control.nodes {
             other.insert(*name, *place, settings.snap, true);
         }
-        similarity(Ways::of(control), Ways::of(&other.graph))
+        similarity(&Ways::of(control), &Ways::of(&other.graph))
     };
     let forth = onto(&own_truth, proposal);
     let back = onto(&own_proposal, truth);
@@ -123,91 +124,51 @@ pub fn apls(truth: &AplsGraph, proposal: &AplsGraph, settings: &AplsSettings) ->
 /// Shortest ways of a graph, from one node at a time: those of all nodes at once would take memory by the square of the
 /// graph.
 struct Ways {
-    /// Names in ascending order, by whose places nodes are told.
-    names: Vec<u64>,
-    /// Edges of every node: node at the other end, length.
-    edges: Vec<Vec<(usize, f64)>>,
-    /// Lengths of the ways from the last node, without end to those that it does not reach.
-    lengths: Vec<f64>,
-    /// Nodes that it reaches.
-    reached: Vec<usize>,
+    /// Names of the nodes.
+    net: UnGraph<u64, f64>,
+    /// Nodes by their names.
+    nodes: BTreeMap<u64, NodeIndex>,
 }
 
 impl Ways {
     fn of(graph: &AplsGraph) -> Self {
-        let mut order: Vec<usize> = (0..graph.nodes.len()).collect();
-        order.sort_by_key(|node| graph.nodes[*node].0);
-        let mut places = vec![0; order.len()];
-        for (place, node) in order.iter().enumerate() {
-            places[*node] = place;
-        }
-        let mut edges = vec![Vec::new(); order.len()];
+        let mut net = UnGraph::default();
+        let nodes = graph.nodes.iter().map(|(name, _)| net.add_node(*name));
+        let nodes: Vec<NodeIndex> = nodes.collect();
         for edge in &graph.edges {
-            let [from, to] = edge.ends.map(|node| places[node]);
-            edges[from].push((to, edge.length));
-            edges[to].push((from, edge.length));
+            net.add_edge(nodes[edge.ends[0]], nodes[edge.ends[1]], edge.length);
         }
         Self {
-            names: order.iter().map(|node| graph.nodes[*node].0).collect(),
-            lengths: vec![f64::INFINITY; order.len()],
-            reached: Vec::new(),
-            edges,
+            nodes: nodes.iter().map(|node| (net[*node], *node)).collect(),
+            net,
         }
     }
 
-    /// Node of that name.
-    fn named(&self, name: u64) -> Option<usize> {
-        self.names.binary_search(&name).ok()
-    }
-
-    /// Finds the lengths of the shortest ways from a node.
-    fn start(&mut self, start: usize) {
-        for node in self.reached.drain(..) {
-            self.lengths[node] = f64::INFINITY;
-        }
-        self.lengths[start] = 0.0;
-        self.reached.push(start);
-        // Lengths are not negative, and such numbers are in the order of their bits.
-        let mut open = BinaryHeap::from([Reverse((0, start))]);
-        while let Some(Reverse((bits, node))) = open.pop() {
-            let length = f64::from_bits(bits);
-            if length > self.lengths[node] {
-                continue;
-            }
-            for (next, more) in &self.edges[node] {
-                let (there, known) = (length + more, &mut self.lengths[*next]);
-                if there < *known {
-                    if known.is_infinite() {
-                        self.reached.push(*next);
-                    }
-                    *known = there;
-                    open.push(Reverse((there.to_bits(), *next)));
-                }
-            }
-        }
-        self.reached.sort_unstable();
+    /// Lengths of the ways from a node to all that it reaches, by their names; `None` if there is none of that name.
+    fn from(&self, name: u64) -> Option<BTreeMap<u64, f64>> {
+        let reached = dijkstra(&self.net, *self.nodes.get(&name)?, None, |edge| {
+            *edge.weight()
+        });
+        let lengths = reached.into_iter();
+        Some(
+            lengths
+                .map(|(node, length)| (self.net[node], length))
+                .collect(),
+        )
     }
 }
 
 /// Mean similarity of the ways.
-fn similarity(mut ways: Ways, mut others: Ways) -> f64 {
+fn similarity(ways: &Ways, others: &Ways) -> f64 {
     let (mut differences, mut count) = (0.0, 0_u64);
-    let there: Vec<Option<usize>> = (ways.names.iter())
-        .map(|name| others.named(*name))
-        .collect();
-    for from in 0..there.len() {
-        ways.start(from);
-        if let Some(from) = there[from] {
-            others.start(from);
-        }
-        for to in &ways.reached {
-            let length = ways.lengths[*to];
-            if *to == from || there[from].is_some() && length < SHORTEST {
+    for from in ways.nodes.keys() {
+        let there = others.from(*from);
+        for (to, length) in ways.from(*from).unwrap_or_default() {
+            if to == *from || there.is_some() && length < SHORTEST {
                 continue;
             }
             count += 1;
-            let other = there[from].and(there[*to]).map(|to| others.lengths[to]);
-            differences += match other.filter(|other| other.is_finite()) {
+            differences += match there.as_ref().and_then(|there| there.get(&to)) {
                 Some(other) => ((length - other).abs() / length).min(1.0),
                 None => 1.0,
             };
@@ -371,8 +332,6 @@ impl CutGraph {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::*;
 
     /// A square of `side` by `side` crooked streets, without some of them, named from `first` on.
@@ -415,8 +374,6 @@ mod tests {
 
     /// As the whole table of all ways tells it.
     fn by_all_ways(control: &AplsGraph, other: &AplsGraph) -> f64 {
-        use petgraph::algo::dijkstra;
-        use petgraph::graph::{NodeIndex, UnGraph};
         let table = |graph: &AplsGraph| -> BTreeMap<u64, BTreeMap<u64, f64>> {
             let mut net: UnGraph<(), f64> = UnGraph::default();
             let nodes: Vec<NodeIndex> = graph.nodes.iter().map(|_| net.add_node(())).collect();
