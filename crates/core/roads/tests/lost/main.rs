@@ -24,6 +24,16 @@ use town::town;
 /// Blocks along the side of a town: 3.3 km.
 const BLOCKS: i32 = 30;
 
+/// Way from one view to the next, as it is reckoned: some 300 m ahead and a little to the right.
+fn usual_motion() -> ViewMotion {
+    ViewMotion {
+        way: Vector2::new(300.0, 20.0),
+        turn: 0.2,
+        way_deviation: 5.0,
+        turn_deviation: 0.01,
+    }
+}
+
 /// As the network sees drawn ground (docs/notes/roads-lost.md), with fewer crossings.
 const USUAL: SeeingErrors = SeeingErrors {
     recall: 0.85,
@@ -207,12 +217,7 @@ fn views_on_one_way_are_surer_than_each_of_them() {
         let first = drawn_view(&own, &truth, &poor, &mut draw);
         let mut then = Vec::new();
         for _ in 0..2 {
-            let motion = ViewMotion {
-                way: Vector2::new(300.0, 20.0),
-                turn: 0.2,
-                way_deviation: 5.0,
-                turn_deviation: 0.01,
-            };
+            let motion = usual_motion();
             truth = truth.after(&motion);
             let off = 5.0 * Vector2::new(draw.gauss(), draw.gauss());
             let told = ViewMotion {

@@ -10,7 +10,7 @@ use pilotage_roads::{RoadClass, RoadJoining, RoadLine, RoadMap};
 
 use super::drawn::{Draw, Source, drawn_view};
 use super::town::town;
-use super::{BLOCKS, USUAL, is_right};
+use super::{BLOCKS, USUAL, is_right, usual_motion};
 
 /// The roads of a town, scaled and moved.
 fn laid(map: &RoadMap, scale: f64, north: f64, east: f64) -> Vec<RoadLine> {
@@ -170,12 +170,7 @@ fn views_across_the_border_of_parts_are_found_once() {
     let first = drawn_view(&own, &truth, &USUAL, &mut draw);
     let mut then = Vec::new();
     for _ in 0..2 {
-        let motion = ViewMotion {
-            way: Vector2::new(300.0, 20.0),
-            turn: 0.2,
-            way_deviation: 5.0,
-            turn_deviation: 0.01,
-        };
+        let motion = usual_motion();
         truth = truth.after(&motion);
         then.push((motion, drawn_view(&own, &truth, &USUAL, &mut draw)));
     }
