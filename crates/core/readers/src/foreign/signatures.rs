@@ -24,16 +24,22 @@ const fn mark_at(
     what: &'static str,
     advice: &'static str,
 ) -> FileSignature {
-    FileSignature {
-        begins: b"",
-        offset,
-        bytes,
-        is: kind(what, advice),
-    }
+    behind(b"", offset, bytes, what, advice)
 }
 
-/// Kind of a recording that begins with a message: its number stands behind its length, or its end where it has to be.
-const fn message(
+/// Kind of a RIFF file: its word stands behind the length.
+const fn riff(bytes: &'static [u8], what: &'static str, advice: &'static str) -> FileSignature {
+    behind(b"RIFF", 8, bytes, what, advice)
+}
+
+/// Kind of a recording that begins with a message of RTCM: its number stands behind its length.
+const fn rtcm(number: &'static [u8]) -> FileSignature {
+    let what = "corrections of satellite navigation (RTCM)";
+    behind(b"\xd3", 3, number, what, CORRECTIONS)
+}
+
+/// Kind of a file that begins so and has those bytes at a place behind that.
+const fn behind(
     begins: &'static [u8],
     offset: usize,
     bytes: &'static [u8],
@@ -43,16 +49,6 @@ const fn message(
     FileSignature {
         begins,
         offset,
-        bytes,
-        is: kind(what, advice),
-    }
-}
-
-/// Kind of a RIFF file: its word stands behind the length.
-const fn riff(bytes: &'static [u8], what: &'static str, advice: &'static str) -> FileSignature {
-    FileSignature {
-        begins: b"RIFF",
-        offset: 8,
         bytes,
         is: kind(what, advice),
     }
@@ -86,14 +82,14 @@ const MARKS: &[FileSignature] = &[
     mark(&[0xb5, 0x62], "a recording of a u-blox receiver (UBX)", RECEIVER),
     mark(b"$@", "a recording of a Septentrio receiver (SBF)", RECEIVER),
     mark(&[0xaa, 0x44, 0x12], "a recording of a NovAtel receiver", RECEIVER),
-    message(&[0xd3], 3, &[0x3e], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0xd3], 3, &[0x3f], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0xd3], 3, &[0x43], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0xd3], 3, &[0x44], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0xd3], 3, &[0x45], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0xd3], 3, &[0x46], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0xd3], 3, &[0x4c], "corrections of satellite navigation (RTCM)", CORRECTIONS),
-    message(&[0x7e, 0], 10, &[0x7e], "a recording of a traffic receiver (GDL 90)", GPX_OF),
+    rtcm(&[0x3e]),
+    rtcm(&[0x3f]),
+    rtcm(&[0x43]),
+    rtcm(&[0x44]),
+    rtcm(&[0x45]),
+    rtcm(&[0x46]),
+    rtcm(&[0x4c]),
+    behind(&[0x7e, 0], 10, &[0x7e], "a recording of a traffic receiver (GDL 90)", GPX_OF),
     mark(b"A\n4\n", "a flight data recording of X-Plane (.fdr)", FDR),
     mark(b"A\r\n4\r\n", "a flight data recording of X-Plane (.fdr)", FDR),
     mark(b"A\n3\n", "a flight data recording of X-Plane (.fdr)", FDR),
