@@ -71,9 +71,7 @@ impl<'a> FileLook<'a> {
 
     /// Whether the extension of its name tells that format.
     pub fn is_named(&self, info: &FormatInfo) -> bool {
-        let extension = self.name.rsplit_once('.').map(|(_, extension)| extension);
-        let is_own = |own: &&str| extension.is_some_and(|other| own.eq_ignore_ascii_case(other));
-        info.is_told_by_extension && info.extensions.iter().any(|own| is_own(&own))
+        info.is_named(self.name)
     }
 
     /// Claim by the name of a text that is neither XML nor JSON.

@@ -30,3 +30,17 @@ pub(super) struct FormatInfo {
     /// Contents that it holds beside routes and landmarks.
     pub beside: HeldBeside,
 }
+
+impl FormatInfo {
+    /// Whether the extension of a file's name is one of its own, whoever else's it is.
+    pub fn has_extension(&self, name: &str) -> bool {
+        let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
+        let mut own = self.extensions.iter();
+        own.any(|own| own.eq_ignore_ascii_case(extension))
+    }
+
+    /// Whether the extension of a file's name tells it.
+    pub fn is_named(&self, name: &str) -> bool {
+        self.is_told_by_extension && self.has_extension(name)
+    }
+}

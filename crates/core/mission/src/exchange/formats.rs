@@ -96,9 +96,7 @@ impl Format {
     /// assert!(!Format::is_extension_of_one("letter.pdf"));
     /// ```
     pub fn is_extension_of_one(name: &str) -> bool {
-        let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
-        let mut all = Self::all().flat_map(Self::extensions);
-        all.any(|own| own.eq_ignore_ascii_case(extension))
+        Self::all().any(|format| format.info().has_extension(name))
     }
 
     /// Whether it holds landmarks; all formats hold routes.
@@ -139,13 +137,7 @@ impl Format {
     /// assert_eq!(Format::of_name("letter.pdf"), None);
     /// ```
     pub fn of_name(name: &str) -> Option<Self> {
-        let (_, extension) = name.rsplit_once('.')?;
-        Self::told_by_extension().find(|format| {
-            format
-                .extensions()
-                .iter()
-                .any(|own| own.eq_ignore_ascii_case(extension))
-        })
+        Self::all().find(|format| format.info().is_named(name))
     }
 
     /// The format to write under a file's name; `None` also for extensions of files that are only read.

@@ -21,7 +21,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 /// It is a kind of KML, or of a zip with that.
 fn claims(look: &FileLook<'_>) -> Claim {
     match look.form {
-        FileForm::Zip if is_zip(look.bytes) => Claim::Special,
+        FileForm::Zip if is_zip(look) => Claim::Special,
         FileForm::Xml if is_text(look.head) => Claim::Special,
         _ => Claim::None,
     }

@@ -14,6 +14,7 @@ mod write;
 
 use std::fmt::Write;
 
+use super::file_look::FileLook;
 use super::shadow::is_shadow;
 use super::xml::XmlElement;
 use pilotage_base::files::FileSet;
@@ -55,12 +56,8 @@ pub(super) fn is_text(head: &str) -> bool {
 }
 
 /// Whether a zip is such a mission, by the names in it.
-pub(super) fn is_zip(bytes: &[u8]) -> bool {
-    let has = |words: &[u8]| {
-        let mut windows = bytes.windows(words.len());
-        windows.any(|w| w.eq_ignore_ascii_case(words))
-    };
-    has(b".wpml") || has(TEMPLATE.as_bytes())
+pub(super) fn is_zip(look: &FileLook<'_>) -> bool {
+    look.has(b".wpml") || look.has(TEMPLATE.as_bytes())
 }
 
 /// The first file in a set whose name ends so, whatever its folder.
