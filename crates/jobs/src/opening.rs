@@ -318,15 +318,18 @@ pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<D
 /// The mission among the files: one that says so, or else any GeoJSON if `is_any`.
 fn mission(pool: &dyn FileSet, is_any: bool) -> Result<Option<Mission>, String> {
     let names = names_ending_in(pool, &["json", "geojson"]);
-    let read = |name: &String| (name.clone(), pool.read(name).unwrap_or_default());
-    let mut all = names.iter().map(read);
-    let own = all.find(|(name, bytes)| is_mission(name, bytes));
-    let any = || {
-        names
-            .iter()
-            .find(|name| is_any && has_ending(name, &["geojson"]))
-    };
-    let Some((name, bytes)) = own.or_else(|| any().map(read)) else {
+    let mut found = None;
+    for name in names {
+        let bytes = pool.read(&name).unwrap_or_default();
+        if is_mission(&name, &bytes) {
+            found = Some((name, bytes));
+            break;
+        }
+        if is_any && found.is_none() && has_ending(&name, &["geojson"]) {
+            found = Some((name, bytes));
+        }
+    }
+    let Some((name, bytes)) = found else {
         return Ok(None);
     };
     if let Some(head) = pool.read(PACKAGE_HEAD) {
