@@ -3,7 +3,7 @@
 use pilotage_core::calibration::CameraSearch;
 
 use super::order::{Order, Urgency, WorkerRole};
-use super::running::SLICE;
+use super::running::slice;
 use super::{Advance, CalibrationOrder, JobEvent, RunningJob, WorkerState};
 
 /// An estimate under way: events `Progress`, at the end `CameraCalibrated`.
@@ -37,11 +37,7 @@ impl RunningJob for Calibrate {
                 empty.insert(search.map_err(|cause| cause.to_string())?)
             }
         };
-        let begun = clock();
-        let mut more = search.advance(evidence);
-        while more && clock() - begun < SLICE {
-            more = search.advance(evidence);
-        }
+        let more = slice(clock, || search.advance(evidence));
         let words = "Trying time offsets".to_owned();
         emit(JobEvent::Progress(search.progress() as f32, words));
         if more {
