@@ -1,11 +1,11 @@
 //! Errors against the reference over time.
 
-use egui::{Align2, Color32, Sense, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, Sense, Stroke, Ui, vec2};
 
 use super::results::ResultRow;
 use crate::still::Still;
 use crate::tokens::Tokens;
-use crate::views::chart::ChartAxes;
+use crate::views::chart::{ChartAxes, dashed};
 use crate::views::{TimeAxis, parts};
 
 /// Height of the curves, points.
@@ -101,10 +101,7 @@ pub(super) fn error_chart(
         for curve in curves {
             let points = thinned(curve.errors, &axes, factor);
             let stroke = Stroke::new(1.5, curve.colour);
-            match curve.dash {
-                Some((dash, gap)) => shapes.extend(Shape::dashed_line(&points, stroke, dash, gap)),
-                None => shapes.push(Shape::line(points, stroke)),
-            }
+            shapes.extend(dashed(points, stroke, curve.dash));
         }
     });
     if let Some((cursor, _)) = clock {

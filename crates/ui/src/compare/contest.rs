@@ -8,7 +8,7 @@ use super::command::CompareCommand;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature_work::FeatureWork;
-use crate::shell::{at_work, counted, text_button};
+use crate::shell::{at_work, counted, of_before, text_button};
 use crate::views::{parts, table};
 
 /// State of the contest of all estimators.
@@ -63,16 +63,9 @@ impl ContestState {
             ui.add(egui::Label::new(RichText::new(remark).color(tokens.warning)).wrap());
         }
         let Some(found) = &self.found else { return };
-        if is_of_before {
-            let words = "Of the mission before: its landmarks, settings or map have changed since.";
-            ui.add(egui::Label::new(RichText::new(words).color(tokens.warning)).wrap());
-        }
-        ui.scope(|ui| {
-            if is_of_before {
-                ui.multiply_opacity(0.5);
-            }
-            table_of(ui, context, found);
-        });
+        let words = "Of the mission before: its landmarks, settings or map have changed since.";
+        let words = is_of_before.then_some(words);
+        of_before(ui, tokens, words, |ui| table_of(ui, context, found));
     }
 }
 

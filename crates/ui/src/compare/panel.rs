@@ -12,6 +12,7 @@ use super::results::{CompareScene, ResultRow, Results};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{at_work, text_button};
+use crate::views::chart::dashed;
 use crate::views::{parts, table};
 
 const CLOCKS: [(&str, ClockRelation); 2] = [
@@ -271,14 +272,7 @@ fn swatch(ui: &mut Ui, row: &ResultRow, context: &mut ViewContext<'_>, scene: &C
     let strength = if is_shown { 1.0 } else { 0.25 };
     let stroke = Stroke::new(2.5, colour.gamma_multiply(strength));
     let ends = [rect.left_center(), rect.right_center()];
-    match dash {
-        Some((dash, gap)) => ui
-            .painter()
-            .extend(egui::Shape::dashed_line(&ends, stroke, dash, gap)),
-        None => {
-            ui.painter().line_segment(ends, stroke);
-        }
-    }
+    ui.painter().extend(dashed(ends.to_vec(), stroke, dash));
     let Some(kept) = kept else { return };
     let name = format!("{} on the map", row.name);
     response.widget_info(|| {
