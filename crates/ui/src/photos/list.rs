@@ -231,6 +231,19 @@ mod tests {
         photos
     }
 
+    /// The list of a thousand photos, as it is first drawn.
+    fn list_of_a_thousand() -> Harness<'static> {
+        let (photos, fixture) = (a_thousand(), Fixture::lasting(2.0));
+        let draw = move |ui: &mut Ui| {
+            let mut commands = Vec::new();
+            let mut context = fixture.context(1.0, &mut commands);
+            list(ui, &mut context, &photos);
+        };
+        let mut harness = Harness::builder().with_size([360.0, 500.0]).build_ui(draw);
+        harness.run();
+        harness
+    }
+
     /// Whether the keyboard is on the row of a photo.
     fn is_focused(harness: &Harness<'_>, number: usize) -> bool {
         let name = format!("photo {number}.jpg:");
@@ -243,16 +256,7 @@ mod tests {
 
     #[test]
     fn every_row_is_reached_by_the_keyboard_forth_and_back() {
-        let photos = a_thousand();
-        let fixture = Fixture::lasting(2.0);
-        let draw = |ui: &mut Ui| {
-            let mut commands = Vec::new();
-            let mut context = fixture.context(1.0, &mut commands);
-            list(ui, &mut context, &photos);
-        };
-        let builder = Harness::builder().with_size([360.0, 500.0]);
-        let mut harness = builder.build_ui(draw);
-        harness.run();
+        let mut harness = list_of_a_thousand();
         harness.get_by_label_contains("photo 0.jpg:").focus();
         harness.run();
         for number in 1..30 {
@@ -269,16 +273,7 @@ mod tests {
 
     #[test]
     fn of_a_thousand_photos_only_those_that_are_seen_are_laid_out() {
-        let photos = a_thousand();
-        let fixture = Fixture::lasting(2.0);
-        let draw = |ui: &mut Ui| {
-            let mut commands = Vec::new();
-            let mut context = fixture.context(1.0, &mut commands);
-            list(ui, &mut context, &photos);
-        };
-        let builder = Harness::builder().with_size([360.0, 500.0]);
-        let mut harness = builder.build_ui(draw);
-        harness.run();
+        let harness = list_of_a_thousand();
         let is_row = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
             let label = node.label();
             node.role() == Role::Button && label.is_some_and(|it| it.starts_with("photo "))

@@ -249,6 +249,26 @@ fn the_picture_of_an_earlier_laying_is_not_shown_at_the_new_place() {
     assert_eq!(rig.state()["photos"]["draped"], true);
 }
 
+/// A map with a photo on it, and that photo.
+fn with_a_photo() -> (Rig, Vec<u8>) {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    rig.host().opened.push(map(&ground));
+    rig.settle();
+    let photo = photo(&ground, (120, 100), [0.0, 0.0]);
+    rig.host().opened.push(vec![file("a.jpg", photo.clone())]);
+    rig.settle();
+    (rig, photo)
+}
+
+/// Opens the section for what people know better than the photos tell.
+fn show_what_is_known(rig: &mut Rig) {
+    let known = "Known better than by the photos";
+    rig.harness.get_by_label(known).click();
+    rig.frames(30);
+}
+
 /// Search of the last laying.
 fn last_search(rig: &mut Rig) -> PhotoSearch {
     let jobs = rig.host().jobs.iter().rev();
@@ -261,17 +281,8 @@ fn last_search(rig: &mut Rig) -> PhotoSearch {
 
 #[test]
 fn a_fact_about_photos_does_not_count_for_those_that_are_opened_next() {
-    let mut rig = rig();
-    rig.host().really_open = true;
-    let ground = town(MAP.0, MAP.1, 7);
-    rig.host().opened.push(map(&ground));
-    rig.settle();
-    let photo = photo(&ground, (120, 100), [0.0, 0.0]);
-    rig.host().opened.push(vec![file("a.jpg", photo.clone())]);
-    rig.settle();
-    let known = "Known better than by the photos";
-    rig.harness.get_by_label(known).click();
-    rig.frames(30);
+    let (mut rig, photo) = with_a_photo();
+    show_what_is_known(&mut rig);
     rig.harness
         .get_by_label("Around the middle of the map view")
         .click();
@@ -313,18 +324,9 @@ fn photos_that_were_laid_on_another_map_say_so() {
 
 #[test]
 fn a_known_height_has_the_same_limits_in_feet() {
-    let mut rig = rig();
-    rig.host().really_open = true;
-    let ground = town(MAP.0, MAP.1, 7);
-    rig.host().opened.push(map(&ground));
-    rig.settle();
-    let photo = photo(&ground, (120, 100), [0.0, 0.0]);
-    rig.host().opened.push(vec![file("a.jpg", photo)]);
-    rig.settle();
+    let (mut rig, _) = with_a_photo();
     rig.key(egui::Key::U);
-    let known = "Known better than by the photos";
-    rig.harness.get_by_label(known).click();
-    rig.frames(30);
+    show_what_is_known(&mut rig);
     rig.harness.get_by_label("Height").click();
     rig.frames(3);
     let role = egui::accesskit::Role::SpinButton;
