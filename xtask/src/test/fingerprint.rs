@@ -47,55 +47,52 @@ const MADE: [&str; 3] = ["node_modules", "__pycache__", "target"];
 /// by their names and contents. Folders of other packages (with a manifest of their own) do not count. `None` if one
 /// cannot be read.
 pub fn of_files(places: &[PathBuf], counts: &dyn Fn(&Path) -> bool) -> Option<String> {
-    fn hash_all(
-        place: &Path,
-        counts: &dyn Fn(&Path) -> bool,
-        hasher: &mut DefaultHasher,
-    ) -> Option<()> {
-        if !place.is_dir() {
-            if counts(place) {
-                place.file_name()?.hash(hasher);
-                fs::read(place).ok()?.hash(hasher);
-            }
-            return Some(());
-        }
-        let entries = fs::read_dir(place).ok()?;
-        let mut entries: Vec<_> = entries.collect::<Result<_, _>>().ok()?;
-        entries.sort_by_key(fs::DirEntry::file_name);
-        for entry in entries {
-            let inner = entry.path();
-            let is_made = MADE.iter().any(|made| entry.file_name() == **made);
-            if !is_made && !inner.join("Cargo.toml").is_file() {
-                hash_all(&inner, counts, hasher)?;
-            }
-        }
-        Some(())
-    }
     let mut hasher = DefaultHasher::new();
     for place in places {
-        hash_all(place, counts, &mut hasher)?;
+        hash_all(place, &mut hasher, &mut |file, hasher| {
+            if counts(file) {
+                file.file_name()?.hash(hasher);
+                fs::read(file).ok()?.hash(hasher);
+            }
+            Some(())
+        })?;
     }
     Some(format!("{:016x}", hasher.finish()))
 }
 
-/// Tells which files lie below `folder`, and of how many bytes each is and when it was written, from what it was.
+/// Tells which files lie below `folder`, and of how many bytes each is and when it was written, from what it was. Nothing of
+/// a folder that is not there.
 pub fn of_listing(folder: &Path) -> String {
-    fn hash_all(folder: &Path, hasher: &mut DefaultHasher) {
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        let mut entries: Vec<_> = entries.collect();
-        entries.sort_by_key(fs::DirEntry::file_name);
-        for entry in entries {
+    let mut hasher = DefaultHasher::new();
+    let told = hash_all(folder, &mut hasher, &mut |file, hasher| {
+        let told = fs::metadata(file).ok()?;
+        (file.file_name()?, told.len(), told.modified().ok()?).hash(hasher);
+        Some(())
+    });
+    format!("{:016x} {}", hasher.finish(), told.is_some())
+}
+
+/// Brings all files below a place, in the order of their names, to `of_file`; `None` if it or the system gives up.
+fn hash_all(
+    place: &Path,
+    hasher: &mut DefaultHasher,
+    of_file: &mut dyn FnMut(&Path, &mut DefaultHasher) -> Option<()>,
+) -> Option<()> {
+    if !place.is_dir() {
+        return of_file(place, hasher);
+    }
+    let entries = fs::read_dir(place).ok()?;
+    let mut entries: Vec<_> = entries.collect::<Result<_, _>>().ok()?;
+    entries.sort_by_key(fs::DirEntry::file_name);
+    for entry in entries {
+        let inner = entry.path();
+        let is_made = MADE.iter().any(|made| entry.file_name() == **made);
+        if !is_made && !inner.join("Cargo.toml").is_file() {
             entry.file_name().hash(hasher);
-            match fs::metadata(entry.path()) {
-                Ok(told) if told.is_dir() => hash_all(&entry.path(), hasher),
-                Ok(told) => (told.len(), told.modified().ok()).hash(hasher),
-                Err(_) => {}
-            }
+            hash_all(&inner, hasher, of_file)?;
         }
     }
-    let mut hasher = DefaultHasher::new();
-    hash_all(folder, &mut hasher);
-    format!("{:016x}", hasher.finish())
+    Some(())
 }
 
 fn is_run_or_read(kind: SectionKind) -> bool {
