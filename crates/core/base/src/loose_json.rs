@@ -34,7 +34,7 @@ pub fn without_not_a_number(json: &str) -> Option<(String, usize)> {
                 length => {
                     count += 1;
                     let is_in_list = lists.last() == Some(&true);
-                    if rest.len() <= run.0 || run.0 == usize::MAX {
+                    if rest.len() <= run.0 {
                         run = end_of_run(&rest[length..]);
                     }
                     if is_in_list && run.1 && take_comma(&mut out) {
