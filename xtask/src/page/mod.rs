@@ -7,6 +7,7 @@
 mod compress;
 mod files;
 mod functions;
+mod machine_paths;
 mod never_called;
 mod offline;
 mod profile;

@@ -4,7 +4,7 @@ use std::{fs, path::Path};
 
 use super::{
     compress::beside,
-    files,
+    files, machine_paths,
     profile::{PROGRAMS, Profile, module_name},
     wasm, weights,
 };
@@ -45,7 +45,7 @@ pub fn print(dist: &Path) -> Result<(), Failure> {
 }
 
 /// Fails if a program of `dist`, built in `profile`, is over its budget (`xtask/budgets.toml`), and prints then
-/// which crates make it up.
+/// which crates make it up; or if it has paths of this machine in it.
 pub fn check(profile: Profile, dist: &Path) -> Result<(), Failure> {
     let file = places::root().join("xtask/budgets.toml");
     let text = fs::read_to_string(&file).map_err(Failure::file(&file))?;
@@ -71,7 +71,7 @@ pub fn check(profile: Profile, dist: &Path) -> Result<(), Failure> {
         }
     }
     if over.is_empty() {
-        return Ok(());
+        return machine_paths::check(dist);
     }
     Err(Failure::Check(format!(
         "{}; look for what came in lately: a library, a font, code made for many types",

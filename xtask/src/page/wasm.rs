@@ -8,7 +8,7 @@ use std::{
 use wasm_bindgen_cli_support::Bindgen;
 
 use super::{
-    never_called,
+    machine_paths, never_called,
     profile::{PROGRAMS, Profile, module_name},
 };
 use crate::{built, compiler, failure::Failure, places, process, progress::step};
@@ -46,6 +46,7 @@ pub fn compile(profile: Profile) -> Result<(), Failure> {
         let mut cargo = process::cargo(&["build", "--locked", "--lib"]);
         cargo.args(alike.iter().flat_map(|package| ["-p", package]));
         cargo.args(["--target", TARGET, "--profile", name]);
+        cargo.args(machine_paths::left_out()?);
         without_flags(&mut cargo);
         compiler::take_place(&mut cargo)?;
         process::run(&mut cargo, "cargo came with rustup")?;
