@@ -4,6 +4,7 @@
 mod worlds;
 
 mod aerial_camera;
+mod channels;
 mod county;
 mod dryden;
 mod flight;

@@ -10,6 +10,8 @@ use pilotage_raster::camera::{CameraModel, FARTHEST_HEIGHTS, RayTable};
 use pilotage_raster::imagery::{Imagery, TILE_SIDE, Window};
 use pilotage_raster::raster::Rgba;
 
+use crate::simulate::channels::{between, floats, plus, times};
+
 /// Side of the cells of the picture that share one level of detail, pixels.
 const CELL: usize = 16;
 /// Ground sample distance of the level of detail over the footprint of a pixel.
@@ -165,16 +167,11 @@ impl TileMosaic {
         let y = (self.south - north * self.per_metre - 0.5).clamp(0.0, self.last[1]);
         let (column, row) = (x as usize, y as usize);
         let (u, v) = (x - column as f32, y - row as f32);
-        let above = &self.pixels[row * self.width + column..][..2];
-        let below = &self.pixels[(row + 1) * self.width + column..][..2];
-        let across = |pair: &[Rgba], c: usize| {
-            let (a, b) = (f32::from(pair[0][c]), f32::from(pair[1][c]));
-            a + u * (b - a)
-        };
-        std::array::from_fn(|c| {
-            let (a, b) = (across(above, c), across(below, c));
-            a + v * (b - a)
-        })
+        let start = row * self.width + column;
+        let above = &self.pixels[start..][..2];
+        let below = &self.pixels[start + self.width..][..2];
+        let across = |pair: &[Rgba]| between(floats(pair[0]), floats(pair[1]), u);
+        between(across(above), across(below), v)
     }
 }
 
@@ -242,7 +239,7 @@ pub(super) fn render(
                 let weight = cell.detail.coarser;
                 paint(&mut light, &view, cell, |north, east| {
                     let (a, b) = (fine.sample(north, east), coarse.sample(north, east));
-                    std::array::from_fn(|c| a[c] + weight * (b[c] - a[c]))
+                    between(a, b, weight)
                 });
             }
             (None, None) => {}
@@ -335,7 +332,7 @@ fn paint(
             let other = view.ground([ray[0] + quarter, ray[1] + quarter]);
             if let (Some((north, east, _)), Some((other_north, other_east, _))) = (one, other) {
                 let (a, b) = (sample(north, east), sample(other_north, other_east));
-                let [r, g, b, coverage] = std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
+                let [r, g, b, coverage] = times(plus(a, b), 0.5);
                 // Pixels without data are black: their colour is already weighted.
                 let missing = 1.0 - coverage * (1.0 / 255.0);
                 *target = [

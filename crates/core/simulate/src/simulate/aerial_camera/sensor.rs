@@ -33,13 +33,14 @@ pub(super) fn expose(
         for (column, (pixel, light)) in pixels.enumerate() {
             let dx = column as f32 + 0.5 - half_width;
             let factor = gain * (1.0 - loss * (dx * dx + dy * dy) * per_corner);
-            *pixel = light.map(|v| {
+            let mut code = |v: f32| {
                 let value = v * factor;
                 // Photons arrive at random: their noise grows with the root of the light.
                 let spread = noise * (0.3 + 0.7 * value * (1.0 / 128.0)).max(0.0).sqrt();
                 // Conversion from floating point saturates.
                 (value + spread * random.next() + 0.5) as u8
-            });
+            };
+            *pixel = [code(light[0]), code(light[1]), code(light[2])];
         }
     }
     picture

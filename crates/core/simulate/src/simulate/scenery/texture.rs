@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use super::noise::{floor, hash2, unit};
+use crate::simulate::channels::{between, floats, times};
 use super::shape::{Spot, spot};
 
 /// Side of a texel at the finest level, metres.
@@ -95,13 +96,9 @@ impl PeriodicTexture {
             texels[row(ix) + column(iy + 1)],
             texels[row(ix + 1) + column(iy + 1)],
         );
-        std::array::from_fn(|i| {
-            let (a, b) = (f32::from(a[i]), f32::from(b[i]));
-            let (c, d) = (f32::from(c[i]), f32::from(d[i]));
-            let left = a + (b - a) * tx;
-            let right = c + (d - c) * tx;
-            (left + (right - left) * ty) * (1.0 / 127.0)
-        })
+        let left = between(floats(a), floats(b), tx);
+        let right = between(floats(c), floats(d), tx);
+        times(between(left, right, ty), 1.0 / 127.0)
     }
 }
 
