@@ -38,7 +38,7 @@ fn commands() -> Vec<CommandEntry> {
 pub struct MatchFeature {
     view: MatchView,
     asked: Explanations,
-    found: Option<(ExplainedStep, MatchPictures)>,
+    found: Option<(ExplainedStep, Result<MatchPictures, String>)>,
 }
 
 impl Feature for MatchFeature {
@@ -64,8 +64,11 @@ impl Feature for MatchFeature {
         let Some(step) = self.asked.take(job, &event) else {
             return false;
         };
-        if let JobEvent::Match(pictures) = event {
-            self.found = Some((step, *pictures));
+        match event {
+            JobEvent::Match(pictures) => self.found = Some((step, Ok(*pictures))),
+            JobEvent::Failed(why) => self.found = Some((step, Err(why))),
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         true
     }
@@ -79,7 +82,7 @@ impl Feature for MatchFeature {
         let pictures = of_run(self.found.as_ref(), documents);
         pictures.map_or(
             Value::Null,
-            |(_, m)| object!({"time": m.time, "landmark": m.landmark}),
+            |(of, _)| object!({"time": of.time, "landmark": of.landmark}),
         )
     }
 

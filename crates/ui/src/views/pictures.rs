@@ -227,7 +227,8 @@ impl ViewDocuments {
                     time: matched.time,
                     landmark: matched.landmark,
                 };
-                view.show(ui, context, matched.as_ref().map(|it| (of(it), it)));
+                let found = matched.as_ref().map(|it| (of(it), Ok(it.clone())));
+                view.show(ui, context, found.as_ref().map(|(of, it)| (*of, it)));
             },
         );
         self.both(&named("plots"), [480.0, 460.0], time, None, PlotsView::show);

@@ -1,10 +1,10 @@
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{ExplainOrder, ExplainedBy, FlyOrder, Job, MapSource};
+use pilotage_jobs::{ExplainOrder, ExplainedBy, FlyOrder, Job, JobEvent, MapSource};
 use pilotage_ui::host::OpenedFile;
 
 use super::open_map::a_map;
-use super::support::{Rig, rig};
+use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 /// Matches asked for so far.
 fn asked(rig: &mut Rig) -> usize {
@@ -34,6 +34,29 @@ fn the_pictures_of_a_match_are_asked_for_once_in_each_run_and_shown() {
     rig.key(Key::R);
     rig.settle();
     assert!(asked(&mut rig) > once);
+}
+
+#[test]
+fn pictures_of_a_match_that_cannot_be_made_say_why() {
+    let host = ScriptedHost {
+        left: Some(|job| matches!(job, Job::ExplainMatch(_))),
+        ..ScriptedHost::default()
+    };
+    let mut rig = rig_on(host, egui::vec2(1440.0, 900.0));
+    rig.key(Key::End);
+    rig.open_tab("Match");
+    rig.frames(6);
+    let on_their_way = "The pictures of this match are on their way";
+    rig.harness.get_by_label(on_their_way);
+    let host = rig.host();
+    let mut jobs = host.jobs.iter().rev();
+    let asked = jobs.find(|(_, job)| matches!(job, Job::ExplainMatch(_)));
+    let asked = asked.expect("asked for").0;
+    let why = JobEvent::Failed("The picture is there no more.".to_owned());
+    host.events.push((asked, why));
+    rig.frames(3);
+    rig.harness
+        .get_by_label("No pictures: The picture is there no more.");
 }
 
 /// Opens a map of the world in which the flight is; nothing is flown anew.

@@ -13,7 +13,7 @@ use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::units::clock;
 pub use command::{MATCH, MatchCommand};
-use pictures::MatchTextures;
+use pictures::{MatchTextures, ShownMatch};
 use pilotage_jobs::MatchPictures;
 
 /// Explains the match of one landmark: in the frame at the cursor or, where none was looked for in
@@ -39,12 +39,12 @@ impl MatchView {
     }
 
     /// Draws the view: numbers at once, pictures when they have arrived; `pictures` are those that arrived last, with what
-    /// they are of.
+    /// they are of, or why there are none.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
-        pictures: Option<(ExplainedStep, &MatchPictures)>,
+        pictures: Option<(ExplainedStep, &Result<MatchPictures, String>)>,
     ) {
         let tokens = context.tokens;
         self.wanted = None;
@@ -99,13 +99,13 @@ impl MatchView {
                     );
                 }
                 verdict(ui, context, run, &name, candidate);
-                self.textures.show(
-                    ui,
-                    tokens,
-                    chosen,
-                    nothing_to_show(candidate),
-                    context.units,
-                );
+                let shown = match (chosen, nothing_to_show(candidate)) {
+                    (Some((of, Ok(pictures))), _) => ShownMatch::Pictures(of, pictures),
+                    (_, Some(never)) => ShownMatch::None(never),
+                    (Some((_, Err(why))), None) => ShownMatch::None(why),
+                    (None, None) => ShownMatch::OnTheirWay,
+                };
+                self.textures.show(ui, tokens, &shown, context.units);
                 numbers::show(ui, context, run, candidate);
             });
     }

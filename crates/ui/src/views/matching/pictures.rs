@@ -19,37 +19,45 @@ pub(super) struct MatchTextures {
     textures: Vec<TextureHandle>,
 }
 
+/// Pictures of a match that are shown.
+pub enum ShownMatch<'a> {
+    /// They have arrived, with what they are of.
+    Pictures(ExplainedStep, &'a MatchPictures),
+    /// They were asked for.
+    OnTheirWay,
+    /// There are none, and why.
+    None(&'a str),
+}
+
+/// Draws the room of the pictures with a sentence in it.
+fn nothing(ui: &mut Ui, tokens: &Tokens, text: &str) {
+    let width = ui.available_width();
+    let (rect, response) = ui.allocate_exact_size(vec2(width, 0.34 * width), Sense::hover());
+    parts::name(&response, text.to_owned());
+    let painter = ui.painter();
+    painter.rect_filled(rect, tokens.radius, tokens.raised);
+    let wrapped = painter.layout(
+        text.to_owned(),
+        parts::small(tokens),
+        tokens.muted,
+        width - 2.0 * tokens.space,
+    );
+    let corner = rect.center() - 0.5 * wrapped.size();
+    painter.galley(corner, wrapped, tokens.muted);
+}
+
 impl MatchTextures {
-    /// Draws patch, rectified picture and score surface at one scale, or says that they are on
-    /// their way.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        tokens: &Tokens,
-        pictures: Option<(ExplainedStep, &MatchPictures)>,
-        never: Option<&str>,
-        units: Units,
-    ) {
+    /// Draws patch, rectified picture and score surface at one scale, or says why they are not there.
+    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, shown: &ShownMatch<'_>, units: Units) {
         let gap = tokens.space;
         let width = ui.available_width();
         let caption = 1.6 * tokens.text_sizes[0];
-        let Some((of, pictures)) = pictures else {
-            let height = 0.34 * width;
-            let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
-            let text = never.map_or_else(
-                || "The pictures of this match are on their way".to_owned(),
-                |reason| format!("No pictures: {reason}"),
-            );
-            parts::name(&response, text.clone());
-            ui.painter().rect_filled(rect, tokens.radius, tokens.raised);
-            ui.painter().text(
-                rect.center(),
-                Align2::CENTER_CENTER,
-                text,
-                parts::small(tokens),
-                tokens.muted,
-            );
-            return;
+        let (of, pictures) = match shown {
+            ShownMatch::Pictures(of, pictures) => (*of, *pictures),
+            ShownMatch::OnTheirWay => {
+                return nothing(ui, tokens, "The pictures of this match are on their way");
+            }
+            ShownMatch::None(why) => return nothing(ui, tokens, &format!("No pictures: {why}")),
         };
         self.update(ui, of, pictures);
         let rasters = [&pictures.patch, &pictures.rectified, &pictures.surface];
