@@ -4,6 +4,17 @@ use pilotage_jobs::{Job, JobEvent, JobId};
 
 use crate::feature::FeatureContext;
 
+/// Event of a job, as the work of a feature took it.
+#[derive(Debug)]
+pub enum WorkEvent {
+    /// It told of progress, failure or the end, and is dealt with.
+    Taken,
+    /// It has another content, which is its owner's if anybody's.
+    Content(JobEvent),
+    /// It is of another job.
+    Other(JobEvent),
+}
+
 /// Job that a feature has under way, as its panel tells of it.
 #[derive(Debug, Default)]
 pub struct FeatureWork {
@@ -13,8 +24,6 @@ pub struct FeatureWork {
     pub words: Option<String>,
     /// Why the last one failed.
     pub trouble: Option<String>,
-    /// Remarks of the last one.
-    pub remarks: Vec<String>,
 }
 
 impl FeatureWork {
@@ -28,23 +37,23 @@ impl FeatureWork {
         };
     }
 
-    /// Takes an event of the job: progress, failure and end; results are its owner's. False if it is of another job.
-    pub fn take(&mut self, job: JobId, event: &JobEvent) -> bool {
+    /// Takes an event of the job: progress, failure and end; results are its owner's.
+    pub fn take(&mut self, job: JobId, event: JobEvent) -> WorkEvent {
         if self.job != Some(job) {
-            return false;
+            return WorkEvent::Other(event);
+        }
+        if event.is_last() {
+            (self.job, self.words) = (None, None);
         }
         match event {
             JobEvent::Progress(share, words) => {
                 self.words = Some(format!("{words}: {:.0} %", 100.0 * share));
             }
-            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
-            JobEvent::Remark(text) => self.remarks.push(text.clone()),
-            _ => {}
+            JobEvent::Failed(why) => self.trouble = Some(why),
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            content => return WorkEvent::Content(content),
         }
-        if event.is_last() {
-            (self.job, self.words) = (None, None);
-        }
-        true
+        WorkEvent::Taken
     }
 
     /// Stops the job under way; whether there was one.

@@ -7,6 +7,7 @@
 pub mod additions;
 pub mod circles;
 pub mod docstrings;
+pub mod drops;
 pub mod layers;
 pub mod manifest;
 pub mod modules;

@@ -224,7 +224,7 @@ fn brought_in(segments: &[String]) -> String {
 }
 
 /// Whether an attribute is `#[cfg(test)]` (or a `cfg` that asks for `test` among others).
-fn is_test_attribute(attribute: &Group) -> bool {
+pub(crate) fn is_test_attribute(attribute: &Group) -> bool {
     let tokens: Vec<_> = attribute.stream().into_iter().collect();
     match tokens.as_slice() {
         [TokenTree::Ident(name), TokenTree::Group(condition)] if name == "cfg" => {
@@ -265,7 +265,7 @@ const BEGINNINGS: [&str; 17] = [
 ];
 
 /// Number of tokens up to the end of what begins here: its body, its semicolon or its comma.
-fn item_length(tokens: &[TokenTree]) -> usize {
+pub(crate) fn item_length(tokens: &[TokenTree]) -> usize {
     let mut first = tokens;
     while let [TokenTree::Punct(hash), TokenTree::Group(_), rest @ ..] = first
         && hash.as_char() == '#'

@@ -1,7 +1,8 @@
 //! The rules of the house, applied to this repository.
 
 use pilotage_house::{
-    additions, assert_none, circles, docstrings, layers, manifest, names, papers, reach, shape,
+    additions, assert_none, circles, docstrings, drops, layers, manifest, names, papers, reach,
+    shape,
     sources::{below, folders_with_rust, repository},
 };
 
@@ -340,6 +341,15 @@ fn an_addition_is_a_file_and_a_line() {
         dear.extend(additions::dear_additions(table, &named, &additions::LEFT));
     }
     assert_none(&dear);
+}
+
+#[test]
+fn no_part_of_the_page_drops_events_or_commands_in_silence() {
+    let found: Vec<_> = reach::without_test_files(below("crates/ui/src"))
+        .iter()
+        .flat_map(drops::silent_arms)
+        .collect();
+    assert_none(&found);
 }
 
 /// Folders that the table of features in `sources` lists, if it has one.

@@ -63,7 +63,7 @@ impl App {
                 self.view.workspace = Workspace::Replay;
                 self.side_tab = self.views.usual_tab();
             }
-            _ => {}
+            Some(PanelWish::Hidden | PanelWish::Offered) | None => {}
         }
         if wishes.is_run_stale {
             self.run_is_stale(host.now());

@@ -13,6 +13,14 @@ use crate::job_owners::{Addressee, JobOwner};
 use crate::shell::whole_sentences;
 use pilotage_jobs::{Beside, FlightSource, JobEvent, JobId, MapInfo, MapSource, OpenedFiles};
 
+/// Text of a remark, if the event is one.
+fn remark_in(event: &JobEvent) -> Option<String> {
+    match event {
+        JobEvent::Remark(text) => Some(text.clone()),
+        _ => None,
+    }
+}
+
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
         if host.lost_workers() > 0 {
@@ -57,10 +65,11 @@ impl App {
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
         let owner = match host.owners().addressee(id, &event) {
             Addressee::Owner(owner) => owner,
-            Addressee::Left(_) => return self.left_event(event, host),
+            Addressee::Left(_) => return self.left_event(&event, host),
             Addressee::Over => return,
             Addressee::Nobody => return self.tell_of_nobody(host),
         };
+        let remark = remark_in(&event);
         let is_awaited = match owner {
             JobOwner::Feature(feature) => self.feature_event(feature, context, host, (id, event)),
             JobOwner::FramePictures => self.frame_pictures.take(id, &event, &mut self.views.camera),
@@ -73,8 +82,13 @@ impl App {
             JobOwner::Openings => self.open_event(context, host, id, event),
             JobOwner::Files => self.files_event(event, host),
         };
-        if !is_awaited {
-            self.tell_of_nobody(host);
+        if is_awaited {
+            return;
+        }
+        match remark {
+            // Tiles of the map that could not be had are told of the job that asked first for any, whosever that is.
+            Some(text) => tell_of_map(&text, &mut self.toasts, host),
+            None => self.tell_of_nobody(host),
         }
     }
 
@@ -109,8 +123,8 @@ impl App {
 
     /// An event of a job that its owner left while it ran is of no use any more, but for what a worker says of a map once
     /// and for all: of a tile or a height that nobody waits for.
-    fn left_event(&mut self, event: JobEvent, host: &mut dyn Host) {
-        if let JobEvent::Remark(text) = event {
+    fn left_event(&mut self, event: &JobEvent, host: &mut dyn Host) {
+        if let Some(text) = remark_in(event) {
             tell_of_map(&text, &mut self.toasts, host);
         }
     }

@@ -14,7 +14,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
-use crate::feature_work::FeatureWork;
+use crate::feature_work::{FeatureWork, WorkEvent};
 use crate::map::{MapLayer, ScreenFromWorld, paint_tried_footprint};
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 use crate::state_json::object;
@@ -178,11 +178,14 @@ impl Feature for CameraLogFeature {
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) -> bool {
-        let is_mine = self.job.take(job, &event);
-        if let (true, JobEvent::CameraCalibrated(found)) = (is_mine, event) {
-            self.work.take(*found, self.estimated_on.take());
+        match self.job.take(job, event) {
+            WorkEvent::Content(JobEvent::CameraCalibrated(found)) => {
+                self.work.take(*found, self.estimated_on.take());
+            }
+            WorkEvent::Taken => {}
+            WorkEvent::Content(_) | WorkEvent::Other(_) => return false,
         }
-        is_mine
+        true
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

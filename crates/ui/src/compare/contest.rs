@@ -18,6 +18,8 @@ pub struct ContestState {
     pub work: FeatureWork,
     /// Comparison of the estimators.
     pub found: Option<EstimatorComparison>,
+    /// Remarks of that which came last, or of that under way, in words.
+    pub remarks: Vec<String>,
     /// Order of which that came, or comes.
     pub order: Option<ContestOrder>,
 }
@@ -59,7 +61,7 @@ impl ContestState {
         if let Some(why) = &self.work.trouble {
             ui.label(RichText::new(why).color(tokens.warning));
         }
-        for remark in &self.work.remarks {
+        for remark in &self.remarks {
             ui.add(egui::Label::new(RichText::new(remark).color(tokens.warning)).wrap());
         }
         let Some(found) = &self.found else { return };

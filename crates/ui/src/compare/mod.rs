@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
-use crate::feature_work::FeatureWork;
+use crate::feature_work::{FeatureWork, WorkEvent};
 use crate::map::MapLayer;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
@@ -146,25 +146,15 @@ impl Compare {
             .begin(words, Job::Smooth(order), context);
     }
 
-    /// Takes an event of the job that smooths a run.
-    fn smoothing_event(&mut self, event: &JobEvent, context: &mut FeatureContext<'_>) {
-        match event {
-            JobEvent::Smoothed(places) => {
-                let Some(track) = self.smoothing.track.take() else {
-                    return;
-                };
-                let places = places.iter().copied();
-                let mut kept = Trajectory::on_the_ground(track.name, track.frame, places);
-                kept.utc_at_zero = track.utc_at_zero;
-                let name = self.shelf.keep(kept).to_owned();
-                context.note("Kept for comparison", name);
-            }
-            JobEvent::Failed(why) => {
-                let (now, title) = (context.host.now(), "The run cannot be smoothed");
-                context.toasts.trouble(now, title, why.clone());
-            }
-            _ => {}
-        }
+    /// Keeps the places of a run that was smoothed.
+    fn keep_smoothed(&mut self, places: Vec<(f64, f64, f64)>, context: &mut FeatureContext<'_>) {
+        let Some(track) = self.smoothing.track.take() else {
+            return;
+        };
+        let mut kept = Trajectory::on_the_ground(track.name, track.frame, places.into_iter());
+        kept.utc_at_zero = track.utc_at_zero;
+        let name = self.shelf.keep(kept).to_owned();
+        context.note("Kept for comparison", name);
     }
 
     /// Flies what is open by every estimator.
@@ -177,6 +167,7 @@ impl Compare {
         );
         let job = Job::Contest(Box::new(order.clone()));
         self.contest.found = None;
+        self.contest.remarks.clear();
         self.contest.order = Some(order);
         self.contest
             .work
@@ -229,15 +220,27 @@ impl Feature for Compare {
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
-        if self.smoothing.work.take(job, &event) {
-            self.smoothing_event(&event, context);
-            return true;
+        let event = match self.smoothing.work.take(job, event) {
+            WorkEvent::Content(JobEvent::Smoothed(places)) => {
+                self.keep_smoothed(places, context);
+                return true;
+            }
+            WorkEvent::Taken => {
+                if let Some(why) = self.smoothing.work.trouble.take() {
+                    context.trouble("The run cannot be smoothed", why);
+                }
+                return true;
+            }
+            WorkEvent::Content(_) => return false,
+            WorkEvent::Other(event) => event,
+        };
+        match self.contest.work.take(job, event) {
+            WorkEvent::Content(JobEvent::ContestJudged(found)) => self.contest.found = Some(*found),
+            WorkEvent::Content(JobEvent::Remark(text)) => self.contest.remarks.push(text),
+            WorkEvent::Taken => {}
+            WorkEvent::Content(_) | WorkEvent::Other(_) => return false,
         }
-        let is_contest = self.contest.work.take(job, &event);
-        if let (true, JobEvent::ContestJudged(found)) = (is_contest, event) {
-            self.contest.found = Some(*found);
-        }
-        is_contest
+        true
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

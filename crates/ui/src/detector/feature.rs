@@ -106,7 +106,8 @@ impl Feature for DetectorFeature {
                 landmark: step.landmark,
                 found: Err(why),
             },
-            _ => return true,
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => return true,
+            _ => return false,
         };
         self.found = Some((step, search));
         true

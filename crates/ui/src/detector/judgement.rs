@@ -88,7 +88,8 @@ impl Judgement {
             }
             JobEvent::Evaluation(report) => self.report = Some(*report),
             JobEvent::Failed(why) => self.trouble = Some(why),
-            _ => {}
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if is_last {
             self.job = None;

@@ -85,7 +85,12 @@ impl DetectorView {
                 self.passed = Some(moved.clamp(0, all as i64) as usize);
             }
             DetectorCommand::Play => self.is_to_play |= self.playing.take().is_none(),
-            _ => {}
+            DetectorCommand::Explain { .. }
+            | DetectorCommand::Show
+            | DetectorCommand::Evaluate
+            | DetectorCommand::StopEvaluating
+            | DetectorCommand::SaveEvaluation(_)
+            | DetectorCommand::CloseEvaluation => {}
         }
     }
 

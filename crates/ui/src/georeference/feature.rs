@@ -50,11 +50,7 @@ impl Feature for GeoreferencerFeature {
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
-        let is_mine = self.waits_for(job);
-        if is_mine {
-            self.take(job, event, context);
-        }
-        is_mine
+        self.waits_for(job) && self.take(job, event, context)
     }
 
     /// Gives its place to another flight; a picture that came with the flight, or has points already, stays.

@@ -24,6 +24,9 @@ const OF_ANYTHING: [&str; 2] = ["json", "txt"];
 /// Side of the largest map that is shown whole beside a picture, metres.
 const LARGEST_SHOWN: f64 = 20_000.0;
 
+/// Title of what is told of tiles that cannot be had.
+const PART_EMPTY: &str = "A part of the picture stays empty";
+
 /// Georeferencer, with a picture while it is open.
 #[derive(Default)]
 pub struct GeoreferencerFeature {
@@ -213,10 +216,15 @@ impl GeoreferencerFeature {
         jobs.any(|job| *job == id)
     }
 
-    /// Takes what a worker says.
-    pub(super) fn take(&mut self, id: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+    /// Takes what a worker says; whether anything of that kind is awaited.
+    pub(super) fn take(
+        &mut self,
+        id: JobId,
+        event: JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
         let Some(picture) = &mut self.picture else {
-            return;
+            return false;
         };
         match event {
             JobEvent::Tile { window, pixels, .. } => {
@@ -253,8 +261,9 @@ impl GeoreferencerFeature {
             JobEvent::Failed(_) if self.places.as_ref().is_some_and(|(job, _)| *job == id) => {
                 self.open_without_places(context);
             }
+            JobEvent::Remark(why) => context.trouble(PART_EMPTY, format!("{why}.")),
             JobEvent::Failed(why) => {
-                context.trouble("A part of the picture stays empty", why);
+                context.trouble(PART_EMPTY, why);
                 let place = self.tiles.iter().position(|(job, _)| *job == id);
                 if let Some((_, key)) = place.map(|place| self.tiles.swap_remove(place)) {
                     let empty = Raster::filled(0, 0, [0; 4]);
@@ -268,8 +277,10 @@ impl GeoreferencerFeature {
                 self.places.take_if(|(job, _)| *job == id);
                 self.points = self.points.filter(|job| *job != id);
             }
-            _ => {}
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
+        true
     }
 
     /// Has files in which no places were found opened as anything else, such as a table of a flight; whoever opens files

@@ -76,12 +76,13 @@ impl LogFeature {
         });
     }
 
+    /// Takes what is said of a question about the log; whether that is awaited.
     pub(super) fn answer_event(
         &mut self,
         id: JobId,
         event: &JobEvent,
         context: &mut FeatureContext<'_>,
-    ) {
+    ) -> bool {
         let answers = &mut self.answers;
         let is_table = answers.table.as_ref().is_some_and(|table| table.job == id);
         match event {
@@ -98,6 +99,14 @@ impl LogFeature {
                 }
                 LogAnswer::Table { text, lacks } => self.offer_table(text, lacks, context),
             },
+            JobEvent::Failed(why) => {
+                answers.leave(is_table);
+                self.lose();
+                if is_table {
+                    context.trouble("The table was not written", why);
+                }
+            }
+            JobEvent::Cancelled => answers.leave(is_table),
             JobEvent::Finished if is_table => answers.table = None,
             JobEvent::Finished => {
                 let figures = answers.figures.take();
@@ -105,22 +114,9 @@ impl LogFeature {
                     log.figures = figures;
                 }
             }
-            JobEvent::Cancelled | JobEvent::Failed(_) => {
-                if is_table {
-                    answers.table = None;
-                } else {
-                    // Asked again once the log was read again, or anything else is wanted.
-                    answers.figures = None;
-                }
-                if let JobEvent::Failed(why) = event {
-                    self.lose();
-                    if is_table {
-                        context.trouble("The table was not written", why);
-                    }
-                }
-            }
-            _ => {}
+            _ => return false,
         }
+        true
     }
 
     fn offer_table(&self, text: &[u8], lacks: &[String], context: &mut FeatureContext<'_>) {

@@ -73,15 +73,12 @@ impl Feature for LogFeature {
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
         if self.fetches(job) {
-            self.series_event(job, &event);
+            self.series_event(job, &event)
         } else if self.answers.has(job) {
-            self.answer_event(job, &event, context);
-        } else if self.reading.as_ref().is_some_and(|r| r.job == job) {
-            self.reading_event(event, context);
+            self.answer_event(job, &event, context)
         } else {
-            return false;
+            self.reading_event(job, event, context)
         }
-        true
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

@@ -2,7 +2,8 @@
 
 use pilotage_core::flight::log::LogOutline;
 use pilotage_jobs::{
-    FlightSource, Job, JobEvent, MapSource, ReadLog, ReadLogOrder, VEHICLE_FILE, write_vehicle,
+    FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, ReadLogOrder, VEHICLE_FILE,
+    write_vehicle,
 };
 
 use super::OpenLog;
@@ -73,9 +74,15 @@ impl LogFeature {
         reading.is_some()
     }
 
-    pub(super) fn reading_event(&mut self, event: JobEvent, context: &mut FeatureContext<'_>) {
-        let Some(reading) = &mut self.reading else {
-            return;
+    /// Takes what is said of the log being read; whether that is awaited.
+    pub(super) fn reading_event(
+        &mut self,
+        id: JobId,
+        event: JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
+        let Some(reading) = self.reading.as_mut().filter(|it| it.job == id) else {
+            return false;
         };
         match event {
             JobEvent::Progress(progress, words) => {
@@ -98,8 +105,9 @@ impl LogFeature {
                 context.trouble(&title, format!("{why} What was read of it stays."));
             }
             JobEvent::Finished | JobEvent::Cancelled => self.reading = None,
-            _ => {}
+            _ => return false,
         }
+        true
     }
 
     /// The log being read takes the place of what is open, once there is something of it to show.

@@ -16,7 +16,8 @@ impl LogFeature {
         Some(self.fetching.swap_remove(at).1)
     }
 
-    pub(super) fn series_event(&mut self, id: JobId, event: &JobEvent) {
+    /// Takes what is said of a field that is fetched; whether that is awaited.
+    pub(super) fn series_event(&mut self, id: JobId, event: &JobEvent) -> bool {
         match event {
             JobEvent::LogSeries(series) => {
                 if let Some(log) = &mut self.log {
@@ -37,8 +38,10 @@ impl LogFeature {
                 }
                 self.lose();
             }
-            _ => {}
+            JobEvent::Progress(..) => {}
+            _ => return false,
         }
+        true
     }
 
     /// Asks for the fields that are plotted and not there.

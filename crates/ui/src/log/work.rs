@@ -77,4 +77,14 @@ impl LogAnswers {
         self.figures.as_ref().is_some_and(|(job, _)| *job == id)
             || self.table.as_ref().is_some_and(|table| table.job == id)
     }
+
+    /// Waits no more for the table, or else for the figures, which are asked for again once the log was read again or
+    /// others are wanted.
+    pub fn leave(&mut self, is_table: bool) {
+        if is_table {
+            self.table = None;
+        } else {
+            self.figures = None;
+        }
+    }
 }

@@ -16,6 +16,7 @@ use crate::command::Workspace;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature_work::WorkEvent;
 use crate::map::MapLayer;
 use crate::shell::NextStep;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
@@ -124,22 +125,15 @@ impl Feature for Outages {
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) -> bool {
-        if !self.work.take(job, &event) {
-            return false;
-        }
-        match event {
-            JobEvent::OutageMade(report) => {
+        match self.work.take(job, event) {
+            WorkEvent::Content(JobEvent::OutageMade(report)) => {
                 (self.report, self.report_of) = (Some(*report), self.asked_of);
             }
-            JobEvent::OutagesStudied(report) => {
+            WorkEvent::Content(JobEvent::OutagesStudied(report)) => {
                 (self.study, self.study_of) = (Some(*report), self.asked_of);
             }
-            JobEvent::Progress(..)
-            | JobEvent::Remark(_)
-            | JobEvent::Finished
-            | JobEvent::Cancelled
-            | JobEvent::Failed(_) => {}
-            _ => return false,
+            WorkEvent::Taken => {}
+            WorkEvent::Content(_) | WorkEvent::Other(_) => return false,
         }
         true
     }

@@ -85,19 +85,26 @@ impl PhotosFeature {
         }
     }
 
-    fn draping_event(&mut self, number: usize, event: JobEvent, context: &mut FeatureContext<'_>) {
+    fn draping_event(
+        &mut self,
+        number: usize,
+        event: JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
         let is_last = event.is_last();
         match event {
             JobEvent::PhotoDraped(draped) => self.state.drape(number, &draped, context.egui),
             JobEvent::Failed(why) => context.trouble("The photo cannot be shown on the map", why),
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if is_last {
             self.draping = None;
         }
+        true
     }
 
-    fn laying_event(&mut self, event: JobEvent, context: &mut FeatureContext<'_>) {
+    fn laying_event(&mut self, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
         let is_last = event.is_last();
         let photos = &mut self.state;
         match event {
@@ -110,12 +117,14 @@ impl PhotosFeature {
                 }
             }
             JobEvent::Failed(why) => photos.trouble = Some(why),
-            _ => {}
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if is_last {
             self.state.at_work = None;
             self.laying = None;
         }
+        true
     }
 }
 
@@ -173,13 +182,9 @@ impl Feature for PhotosFeature {
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
         if let Some((_, number)) = self.draping.filter(|(draping, _)| *draping == job) {
-            self.draping_event(number, event, context);
-        } else if self.laying == Some(job) {
-            self.laying_event(event, context);
-        } else {
-            return false;
+            return self.draping_event(number, event, context);
         }
-        true
+        self.laying == Some(job) && self.laying_event(event, context)
     }
 
     /// Stops laying photos. Those that were laid stay.

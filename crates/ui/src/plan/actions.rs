@@ -214,20 +214,21 @@ pub fn act(route: &mut Route, index: usize, action: WayPointAction) {
     }
 }
 
-/// Does to a route what is chosen for its ends; a landing takes the return's place.
-pub fn change_ends(route: &mut Route, command: &PlanCommand) {
+/// Does to a route what is chosen for its ends; a landing takes the return's place. False if the command is about
+/// something else.
+pub fn change_ends(route: &mut Route, command: &PlanCommand) -> bool {
     let last = route.way_points.len().saturating_sub(1);
     let (index, action) = match command {
         PlanCommand::ToggleReturn => {
             route.returns = !route.returns;
-            return;
+            return true;
         }
         PlanCommand::ToggleTakeOff => (0, WayPointAction::TakeOff),
         PlanCommand::ToggleLanding => {
             route.returns = false;
             (last, WayPointAction::Land)
         }
-        _ => return,
+        _ => return false,
     };
     let own = route.way_points.get(index).map(|it| it.action);
     let is_on = own == Some(action);
@@ -236,6 +237,7 @@ pub fn change_ends(route: &mut Route, command: &PlanCommand) {
         index,
         if is_on { WayPointAction::FlyBy } else { action },
     );
+    true
 }
 
 /// Leads a route on to another way-point. A landing moves on to it.

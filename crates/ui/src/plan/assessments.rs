@@ -417,8 +417,7 @@ impl Assessments {
     /// Takes what a worker says; false if it is about something else.
     pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
         if let Some((_, order)) = self.surveyed.take_if(|(asked, _)| *asked == id) {
-            self.survey_event(order, id, event);
-            return true;
+            return self.survey_event(order, id, event);
         }
         let Some((_, order)) = self.asked.take_if(|(asked, _)| *asked == id) else {
             return false;
@@ -438,13 +437,16 @@ impl Assessments {
                 return true;
             }
             JobEvent::Finished | JobEvent::Cancelled => return true,
-            _ => {}
+            _ => {
+                self.asked = Some((id, order));
+                return false;
+            }
         }
         self.asked = Some((id, order));
         true
     }
 
-    fn survey_event(&mut self, order: AssessmentOrder, id: JobId, event: &JobEvent) {
+    fn survey_event(&mut self, order: AssessmentOrder, id: JobId, event: &JobEvent) -> bool {
         let landmark = order.landmark.clone();
         match event {
             JobEvent::Progress(share, _) => self.survey_progress = *share,
@@ -455,15 +457,19 @@ impl Assessments {
             JobEvent::Failed(why) => {
                 let failed = FailedMeasurement::new(&order, why, None);
                 self.failed.insert(landmark.id, failed);
-                return;
+                return true;
             }
             JobEvent::Finished | JobEvent::Cancelled => {
                 self.changed = true;
-                return;
+                return true;
             }
-            _ => {}
+            _ => {
+                self.surveyed = Some((id, order));
+                return false;
+            }
         }
         self.surveyed = Some((id, order));
+        true
     }
 
     fn keep(&mut self, found: &Assessment) {

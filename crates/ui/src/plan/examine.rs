@@ -85,7 +85,8 @@ impl Planner {
         match event {
             JobEvent::Distinctness(found) => self.examination.take(landmark, Ok((**found).clone())),
             JobEvent::Failed(why) => self.examination.take(landmark, Err(why.clone())),
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if event.is_last() {
             self.examination.job = None;

@@ -459,10 +459,7 @@ fn change(route: &mut Route, command: &PlanCommand) -> bool {
             }
         }
         PlanCommand::Reverse => *route = route.reversed(),
-        PlanCommand::ToggleReturn | PlanCommand::ToggleTakeOff | PlanCommand::ToggleLanding => {
-            change_ends(route, command);
-        }
-        _ => return false,
+        other => return change_ends(route, other),
     }
     true
 }

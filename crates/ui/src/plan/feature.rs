@@ -79,7 +79,7 @@ impl Feature for Planner {
             {
                 return self.asks_before_export(context);
             }
-            _ if !context.is_shown => {}
+            _ if !context.is_shown => return false,
             Command::DeleteLandmark(id) => {
                 let marked = self.marked(*context.selection);
                 if marked.contains(id) {
@@ -99,7 +99,7 @@ impl Feature for Planner {
             | Command::Jump(_)
             | Command::GoToStart
             | Command::GoToEnd => return true,
-            _ => {}
+            _ => return false,
         }
         false
     }

@@ -151,7 +151,7 @@ impl Finder {
                 self.asked = None;
             }
             JobEvent::Finished | JobEvent::Cancelled => self.asked = None,
-            _ => {}
+            _ => return false,
         }
         true
     }

@@ -183,7 +183,11 @@ impl Forecast {
                 self.shown = None;
             }
             JobEvent::Finished | JobEvent::Cancelled => {}
-            _ => self.asked = Some(asked),
+            JobEvent::Progress(..) => self.asked = Some(asked),
+            _ => {
+                self.asked = Some(asked);
+                return false;
+            }
         }
         true
     }

@@ -161,7 +161,10 @@ impl Heat {
                 self.forget_others();
             }
             JobEvent::Cancelled => {}
-            _ => self.asked = Some(asked),
+            _ => {
+                self.asked = Some(asked);
+                return false;
+            }
         }
         true
     }

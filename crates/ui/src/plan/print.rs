@@ -201,7 +201,11 @@ impl Planner {
                 context.trouble("The mission brief cannot be drawn", why.as_str());
             }
             JobEvent::Finished | JobEvent::Cancelled => self.printing = None,
-            _ => printing.asked = Some(asked),
+            JobEvent::Progress(..) => printing.asked = Some(asked),
+            _ => {
+                printing.asked = Some(asked);
+                return false;
+            }
         }
         true
     }

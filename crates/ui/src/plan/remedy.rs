@@ -132,7 +132,8 @@ impl Remedies {
                 self.asked = None;
             }
             (JobEvent::Finished | JobEvent::Cancelled, _) => self.asked = None,
-            _ => {}
+            (JobEvent::Progress(..), _) => {}
+            _ => return false,
         }
         true
     }

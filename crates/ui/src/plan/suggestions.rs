@@ -93,7 +93,7 @@ impl Suggestions {
                 self.asked = None;
             }
             JobEvent::Finished | JobEvent::Cancelled => self.asked = None,
-            _ => {}
+            _ => return false,
         }
         true
     }

@@ -313,7 +313,7 @@ impl Trainings {
                 self.changed = true;
             }
             JobEvent::Finished | JobEvent::Cancelled => t.job = None,
-            _ => {}
+            _ => return false,
         }
         true
     }

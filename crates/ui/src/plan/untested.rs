@@ -101,7 +101,8 @@ impl Untested {
             JobEvent::Untested(stated) => self.stated = **stated,
             // Of a map on which nothing can be tried nothing better is known.
             JobEvent::Failed(_) => self.stated = UntestedDetection::of_any_map(),
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if event.is_last() {
             self.asked = None;

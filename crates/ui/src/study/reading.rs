@@ -66,7 +66,8 @@ impl PlanReading {
         let read = match event {
             JobEvent::Figures(_) => event.read_figures::<ReadStudyPlan>(),
             JobEvent::Failed(why) => Err(why.clone()),
-            _ => return true,
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => return true,
+            _ => return false,
         };
         context.wait_no_more(id);
         let asked = self.asked.take();

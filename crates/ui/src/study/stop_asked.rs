@@ -45,7 +45,8 @@ impl StopAsked {
                 Some(said)
             }
             JobEvent::Failed(why) => Some(Err(why.clone())),
-            _ => Some(Ok(None)),
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => Some(Ok(None)),
+            _ => None,
         }
     }
 

@@ -115,7 +115,8 @@ impl StudyUnderWay {
                 Err(why) => self.trouble = Some(why),
             },
             JobEvent::Failed(why) => self.trouble = Some(why.clone()),
-            _ => {}
+            JobEvent::Progress(..) | JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if event.is_last() {
             let share = self.shards.remove(at).share;

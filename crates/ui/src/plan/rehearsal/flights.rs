@@ -204,7 +204,8 @@ impl RouteRehearsal {
                 Err(why) => self.trouble = Some(why),
             },
             JobEvent::Failed(why) => self.trouble = Some(why.clone()),
-            _ => {}
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
         }
         if event.is_last() {
             self.under_way.remove(at);
