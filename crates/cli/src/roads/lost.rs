@@ -3,20 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use nalgebra::{Point3, Vector2};
+use nalgebra::Vector2;
 use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::photo::{Photo, photo_pose, read_photo, told_focal};
-use pilotage_core::frames::{Attitude, GroundPoint, GroundRect, LocalFrame, Pose};
+use pilotage_core::frames::{Attitude, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::MemoryBytes;
-use pilotage_core::road::{COARSEST_SEEN, NorthUpPicture, RoadDetection, SEEN_GSD};
 use pilotage_core::roads::RoadMap;
 use pilotage_core::roads::lost::{
-    LostBelief, LostSettings, LostShare, PartSettings, RoadParts, RoadView, ViewCrossing,
-    ViewMotion, ViewPoint,
+    LostBelief, LostSettings, LostShare, PartSettings, RoadParts, RoadView, ViewMotion,
 };
 
 use super::source::{RoadSource, class};
-use pilotage_jobs::{JobEvent, RoadsLostOrder, decode_photo};
+use pilotage_jobs::{JobEvent, RoadsLostOrder, decode_photo, road_view};
 
 use crate::CommandResult;
 use crate::notes::tell;
@@ -28,12 +26,6 @@ use crate::workers::{self, Lent};
 const BELIEVED: f64 = 0.99;
 /// Ranges that people state, in standard deviations.
 const WITHIN: f64 = 2.0;
-/// Least probability of a point of a road that counts.
-const LEAST_PROBABILITY: f64 = 0.5;
-/// Ground that is looked at, as far as so many heights from below the camera.
-const FARTHEST_HEIGHTS: f64 = 2.0;
-/// Most ground that a photo may show, square metres: 30 million pixels of what the network sees.
-const MOST_GROUND: f64 = 7.5e6;
 /// Standard deviation of dead reckoning: a share of the way (and radians of a turn).
 const RECKONED: f64 = 0.03;
 
@@ -260,82 +252,13 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
     ))?;
     let camera = CameraModel::of_focal(picture.width(), picture.height(), focal);
     let ahead = arguments.ahead.map(f64::to_radians);
-    let pose = Pose {
-        position_in_world: Point3::new(0.0, 0.0, -height),
-        attitude: Attitude {
-            roll: told.roll,
-            pitch: ahead.unwrap_or(told.pitch),
-            yaw: 0.0,
-        },
+    let attitude = Attitude {
+        roll: told.roll,
+        pitch: ahead.unwrap_or(told.pitch),
+        yaw: 0.0,
     };
-    let farthest = FARTHEST_HEIGHTS * height;
-    let outline = camera.footprint_within(&pose, 0.0, farthest);
-    bounded(&outline, height / focal).map_err(|why| format!("{name}: {why}"))?;
-    let ground = NorthUpPicture::of(&camera, &pose, 0.0, &picture, SEEN_GSD, farthest);
-    let Some(NorthUpPicture { window, pixels }) = ground else {
-        return Ok(RoadView::default());
-    };
-    let seen = RoadDetection::Network.roads_seen(&pixels, SEEN_GSD);
-    let mut crossings = seen.crossings;
-    crossings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-    let place = |[x, y]: [f64; 2]| window.ground_at(x, y).to_vector();
-    let points = seen
-        .points
-        .iter()
-        .filter(|point| point.probability >= LEAST_PROBABILITY);
-    let seen = RoadView {
-        points: points
-            .map(|point| ViewPoint {
-                place: place(point.pixel),
-                direction: point.direction,
-            })
-            .collect(),
-        crossings: (crossings.iter())
-            .map(|crossing| ViewCrossing {
-                place: place(crossing.pixel),
-                directions: crossing.directions.clone(),
-            })
-            .collect(),
-        outline: outline.iter().map(|corner| corner.to_vector()).collect(),
-    };
-    seen.checked().map_err(|why| format!("{name}: {why}"))?;
-    Ok(seen)
-}
-
-/// Refuses a photo whose pixels show no roads, `pixel` metres each below the camera, or which shows too much ground.
-fn bounded(outline: &[GroundPoint], pixel: f64) -> Result<(), String> {
-    let is_seen = pixel <= COARSEST_SEEN;
-    if !is_seen {
-        return Err(format!(
-            "at this height a pixel of the photo shows {pixel:.1} m, and roads are seen up to {COARSEST_SEEN} m; give its \
-             --height and --focal, or a photo from lower down"
-        ));
-    }
-    let ground = GroundRect::around(outline.iter().copied());
-    let area = ground.map_or(0.0, |ground| ground.width() * ground.height());
-    if area > MOST_GROUND {
-        return Err(format!(
-            "at this height the photo shows ground of {:.0} km², and at most {:.1} km² are searched for roads; give its \
-             --height, --focal and --ahead, or a part of it",
-            1e-6 * area,
-            1e-6 * MOST_GROUND
-        ));
-    }
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn photos_of_too_much_ground_are_refused_in_words() {
-        let square = |side: f64| GroundRect::centered(GroundPoint::default(), side, side).corners();
-        assert_eq!(bounded(&square(2000.0), 0.5), Ok(()));
-        let why = bounded(&square(2000.0), 2.7).unwrap_err();
-        assert!(why.contains("a pixel of the photo shows 2.7 m"), "{why}");
-        assert!(bounded(&square(2000.0), f64::INFINITY).is_err());
-        let why = bounded(&square(4000.0), 0.5).unwrap_err();
-        assert!(why.contains("ground of 16 km²"), "{why}");
-    }
+    road_view(&camera, attitude, height, &picture).map_err(|why| {
+        let advice = "give its --height, --focal and --ahead, or a part of it from lower down";
+        format!("{name}: {why}; {advice}")
+    })
 }

@@ -188,7 +188,7 @@ fn a_road_far_off_is_one_more_square_of_a_map_and_refused_of_a_view() {
     let high = ["town.geojson", "photo.png", "--height=30000", "--focal=50"];
     let refused = said(&high).unwrap_err();
     assert!(
-        refused.contains("a pixel of the photo shows 600.0 m"),
+        refused.contains("a pixel of the picture shows 600.0 m"),
         "{refused}"
     );
 }
