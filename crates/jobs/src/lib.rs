@@ -20,6 +20,7 @@ mod fetched_tiles;
 mod field;
 mod file_pool;
 mod find;
+mod find_among_roads;
 mod flight_among;
 mod flights;
 mod frame_picture;
@@ -74,6 +75,10 @@ pub use bare_mission::BareMission;
 pub use circumstances::PlanCircumstances;
 pub use control_points::{PresumedSystem, ReadControlPointsOrder};
 pub use fetched_tiles::WEB_TILES;
+pub use find_among_roads::{
+    BELIEVED_AMONG_ROADS, FindAmongRoadsOrder, FoundAmongRoads, PlaceAmongRoads, PlaceVerdict,
+    SoughtPicture,
+};
 pub use flight_among::{
     FLOWN, FlownFiles, flight_among, flight_of_file, flown_in_words, with_films_told,
 };
@@ -172,6 +177,7 @@ orders! {
         Propose: pub use suggest::ProposeOrder;
         Field(Box<FieldOrder>);
         Find(Box<FindOrder>);
+        FindAmongRoads(Box<FindAmongRoadsOrder>);
         Brief(BriefOrder);
         Pack(Box<PackOrder>);
         Export(Box<ExportOrder>);

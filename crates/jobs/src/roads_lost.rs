@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pilotage_core::roads::lost::{LostSettings, RoadParts, RoadView, ViewMotion};
+use pilotage_core::roads::lost::{LostSettings, LostShare, RoadParts, RoadView, ViewMotion};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
@@ -22,6 +22,20 @@ pub struct RoadsLostOrder {
     pub settings: LostSettings,
 }
 
+impl RoadsLostOrder {
+    /// Places in the part; none where its roads have no crossing.
+    ///
+    /// # Errors
+    /// Why the views cannot be looked for, in words.
+    pub(super) fn share(&self) -> Result<LostShare, String> {
+        let (first, then) = &*self.views;
+        let index = self.parts.index(self.part);
+        let places = index.map(|index| index.places_along(first, then, &self.settings));
+        let places = places.transpose().map_err(|why| why.to_string())?;
+        Ok(places.unwrap_or_default())
+    }
+}
+
 impl Order for RoadsLostOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
@@ -31,11 +45,7 @@ impl Order for RoadsLostOrder {
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |_, emit| {
-            let (first, then) = &*self.views;
-            let index = self.parts.index(self.part);
-            let places = index.map(|index| index.places_along(first, then, &self.settings));
-            let places = places.transpose().map_err(|why| why.to_string())?;
-            emit(JobEvent::of_figures(&places.unwrap_or_default())?);
+            emit(JobEvent::of_figures(&self.share()?)?);
             Ok(())
         })
     }
@@ -44,7 +54,7 @@ impl Order for RoadsLostOrder {
 #[cfg(test)]
 mod tests {
     use pilotage_core::frames::GroundPoint;
-    use pilotage_core::roads::lost::{LostBelief, LostShare, PartSettings, RoadIndex};
+    use pilotage_core::roads::lost::{LostBelief, PartSettings, RoadIndex};
     use pilotage_core::roads::{RoadClass, RoadJoining, RoadLine, RoadMap};
 
     use super::super::running::finished;

@@ -14,7 +14,7 @@ use pilotage_core::roads::lost::{
 };
 
 use super::source::{RoadSource, class};
-use pilotage_jobs::{JobEvent, RoadsLostOrder, decode_photo, road_view};
+use pilotage_jobs::{BELIEVED_AMONG_ROADS, JobEvent, RoadsLostOrder, decode_photo, road_view};
 
 use crate::CommandResult;
 use crate::notes::tell;
@@ -22,8 +22,6 @@ use crate::numbers::{above_zero, any_number, lat_lon, numbers, zero_or_more};
 use crate::plan::above_ground;
 use crate::workers::{self, Lent};
 
-/// Probability from which on a place is believed.
-const BELIEVED: f64 = 0.99;
 /// Ranges that people state, in standard deviations.
 const WITHIN: f64 = 2.0;
 /// Standard deviation of dead reckoning: a share of the way (and radians of a turn).
@@ -132,7 +130,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             belief.tried + belief.left
         );
     }
-    let Some(place) = belief.place(BELIEVED) else {
+    let Some(place) = belief.place(BELIEVED_AMONG_ROADS) else {
         match belief.places.first() {
             Some(likeliest) => println!(
                 "no place; the likeliest of {} has {:.1} %, elsewhere or not on the map {:.1} %",
