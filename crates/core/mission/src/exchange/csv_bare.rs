@@ -7,6 +7,7 @@ use pilotage_base::frames::ReferenceSystem;
 use pilotage_base::text::{csv_cell, in_quotes};
 
 use super::angle;
+use super::csv_cells::{cells_of_row, is_number};
 use super::csv_fixed::fixed;
 use super::csv_named::NamedTable;
 use super::csv_preface::{is_comment, names_places};
@@ -72,10 +73,6 @@ struct Row {
     y: String,
     rest: Vec<String>,
     is_photo: bool,
-}
-
-fn is_number(cell: &str) -> bool {
-    cell.parse::<f64>().is_ok()
 }
 
 /// `x y z pixel pixel picture name`, or `picture x y z yaw pitch roll`.
@@ -239,9 +236,13 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
     })
 }
 
-/// A table with names whose cells stand between blanks.
+/// A table with names whose cells stand between blanks; those with blanks in them stand in quotation marks.
 fn between_blanks(content: &str) -> Option<NamedTable> {
-    let joined = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(",");
+    let joined = |line: &str| {
+        let cells = cells_of_row(line, ' ');
+        let cells: Vec<String> = cells.iter().map(|cell| csv_cell(cell)).collect();
+        cells.join(",")
+    };
     // Names may stand behind a `#`.
     let named = |line: &&str| {
         line.starts_with('#') && !line.contains(',') && names_places(&joined(&line[1..]))
@@ -254,9 +255,12 @@ fn between_blanks(content: &str) -> Option<NamedTable> {
     let names = rows.next()?;
     let names = names.strip_prefix('#').unwrap_or(names);
     let count = names.split_whitespace().count();
-    let is_plain = |line: &str| !line.contains([',', ';', '\t', '|', '"']);
-    let is_row = |line: &str| is_plain(line) && line.split_whitespace().count() == count;
-    if count < 2 || !is_plain(names) || !names_places(&joined(names)) || !rows.all(is_row) {
+    let is_plain = |line: &str| !line.contains([';', '\t', '|']);
+    let has_seams = |line: &str| line.contains(',') && cells_of_row(line, ',').len() >= count;
+    let is_row =
+        |line: &str| is_plain(line) && !has_seams(line) && cells_of_row(line, ' ').len() == count;
+    let are_names = is_plain(names) && !names.contains([',', '"']);
+    if count < 2 || !are_names || !names_places(&joined(names)) || !rows.all(is_row) {
         return None;
     }
     let line = |line: &str| {
@@ -296,36 +300,6 @@ fn without_letters(mut cells: Vec<String>) -> Vec<String> {
         }
     }
     cells
-}
-
-/// The cells of a line of a table, without the quotation marks around them, a number between semicolons with a point before
-/// its decimals.
-///
-/// ```
-/// use pilotage_mission::exchange::cells_of_row;
-///
-/// assert_eq!(cells_of_row("\"P; 1\"; 8,5;x", ';'), ["P; 1", "8.5", "x"]);
-/// ```
-pub fn cells_of_row(line: &str, seam: char) -> Vec<String> {
-    if seam == ' ' {
-        return line.split_whitespace().map(str::to_owned).collect();
-    }
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .delimiter(seam as u8)
-        .trim(csv::Trim::All)
-        .from_reader(line.as_bytes());
-    let record = reader.records().next().and_then(Result::ok);
-    let cells = record.iter().flatten().map(|cell| {
-        let with_point = cell.replace(',', ".");
-        let is_comma = seam == ';' && is_number(&with_point);
-        if is_comma {
-            with_point
-        } else {
-            cell.to_owned()
-        }
-    });
-    cells.collect()
 }
 
 /// Whether a cell is a name, and neither a number nor a time.

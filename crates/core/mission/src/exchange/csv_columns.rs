@@ -227,7 +227,7 @@ impl Unit {
         (Self::MilePerHour, &["mph"]),
     ];
 
-    fn of(word: &str) -> Option<Self> {
+    pub(super) fn of(word: &str) -> Option<Self> {
         let found = Self::ALL.iter().find(|(_, words)| words.contains(&word));
         found.map(|(unit, _)| *unit)
     }
@@ -504,6 +504,8 @@ fn column_of(name: &str, words: &str) -> CsvColumn {
             Some("agl") => frame = Some(AltitudeFrame::AboveGround),
             Some("rel" | "relative") => frame = Some(AltitudeFrame::AboveTakeOff),
             Some(word) if unit.is_none() && Unit::of(word).is_some() => unit = Unit::of(word),
+            // `[decimal degrees]`
+            Some("decimal") if unit == Some(Unit::Degree) => {}
             _ => {
                 return CsvColumn {
                     name: name.to_owned(),

@@ -51,78 +51,120 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     Ok(found)
 }
 
+/// A table with a header line, as it was opened.
+pub(super) struct OpenedTable<'a> {
+    pub table: ReadCsvTable<'a>,
+    pub records: Vec<(usize, csv::StringRecord)>,
+    /// Names of its columns, of which this line of the file has them.
+    names: Vec<String>,
+    first_line: usize,
+    /// Words on a last line that may be cut off.
+    end: Option<String>,
+    /// Words on places in UTM.
+    utm: Option<String>,
+}
+
+impl<'a> OpenedTable<'a> {
+    /// Opens a table with a header line, of which so many lines were `added`.
+    pub fn of(file: &'a str, content: &str, added: u64) -> Result<Self, ExchangeError> {
+        let preface = preface(content);
+        let delimiter = preface.delimiter;
+        let mut reader = csv::ReaderBuilder::new()
+            .delimiter(delimiter as u8)
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .from_reader(preface.table.as_bytes());
+        let line_of = |line: u64| (line + preface.lines).saturating_sub(added) as usize;
+        let error = |line: u64, cause: String| ExchangeError::Place {
+            file: file.to_owned(),
+            line: line_of(line),
+            column: 1,
+            cause,
+        };
+        let names = reader.headers().map_err(|e| error(1, e.to_string()))?;
+        let names: Vec<String> = names.iter().map(str::to_owned).collect();
+        if names.iter().all(|name| name.trim().is_empty()) {
+            return Err(error(1, String::from("the file is empty")));
+        }
+        let mut table = ReadCsvTable {
+            file,
+            columns: columns(&names).map_err(|cause| error(1, cause))?,
+            has_decimal_comma: delimiter == ';',
+            places: None,
+        };
+        let mut records = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(|e| {
+                let line = e.position().map_or(0, csv::Position::line);
+                error(line, e.to_string())
+            })?;
+            let line = record.position().map_or(0, csv::Position::line);
+            if record.iter().any(|cell| !cell.is_empty()) {
+                records.push((line_of(line), record));
+            }
+        }
+        table.has_decimal_comma |= table.writes_commas(&records);
+        let end = end_of_file(&table, content, &records)?;
+        table.leave_metres(&records);
+        let utm = in_degrees(&mut table, &mut records)?;
+        Ok(Self {
+            table,
+            records,
+            names,
+            first_line: line_of(1),
+            end,
+            utm,
+        })
+    }
+
+    /// Finds places that no columns of latitude and longitude have, in a column of both or in X and Y. Words on what was
+    /// taken for them; without any, an error that names the columns there are.
+    pub fn find_places(&mut self) -> Result<Option<String>, ExchangeError> {
+        let roles = [CsvRole::Latitude, CsvRole::Longitude];
+        let table = &mut self.table;
+        let mut xy = None;
+        if !roles.iter().all(|role| table.has(*role)) {
+            table.places = table.places(&self.records);
+            xy = table
+                .places
+                .is_none()
+                .then(|| table.take_xy(&self.records))
+                .flatten();
+        }
+        for role in roles {
+            if !table.has(role) && table.places.is_none() {
+                return Err(ExchangeError::Place {
+                    file: table.file.to_owned(),
+                    line: self.first_line,
+                    column: 1,
+                    cause: format!(
+                        "there is no column for the {}; there are: {}",
+                        role.name(),
+                        self.names.join(", ")
+                    ),
+                });
+            }
+        }
+        Ok(xy)
+    }
+}
+
 /// Reads a table with a header line, of which so many lines were `added`.
 fn read_named(file: &str, content: &str, added: u64) -> Result<GeodeticContent, ExchangeError> {
-    let preface = preface(content);
-    let delimiter = preface.delimiter;
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(delimiter as u8)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .from_reader(preface.table.as_bytes());
-    let error = |line: u64, cause: String| ExchangeError::Place {
-        file: file.to_owned(),
-        line: (line + preface.lines).saturating_sub(added) as usize,
-        column: 1,
-        cause,
-    };
-    let names = reader.headers().map_err(|e| error(1, e.to_string()))?;
-    let names: Vec<String> = names.iter().map(str::to_owned).collect();
-    if names.iter().all(|name| name.trim().is_empty()) {
-        return Err(error(1, String::from("the file is empty")));
-    }
-    let mut table = ReadCsvTable {
-        file,
-        columns: columns(&names).map_err(|cause| error(1, cause))?,
-        has_decimal_comma: delimiter == ';',
-        places: None,
-    };
-    let mut records = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|e| {
-            let line = e.position().map_or(0, csv::Position::line);
-            error(line, e.to_string())
-        })?;
-        let line = record.position().map_or(0, csv::Position::line);
-        if record.iter().any(|cell| !cell.is_empty()) {
-            records.push((
-                (line + preface.lines).saturating_sub(added) as usize,
-                record,
-            ));
-        }
-    }
-    let end = end_of_file(&table, content, &records)?;
-    table.leave_metres(&records);
-    let utm = in_degrees(&mut table, &mut records)?;
-    if let Some(geometries) = table.geometries(&records) {
-        let mut found = shapes(&table, &records, geometries)?;
-        found.notes.extend(end);
+    let mut opened = OpenedTable::of(file, content, added)?;
+    if let Some(geometries) = opened.table.geometries(&opened.records) {
+        let mut found = shapes(&opened.table, &opened.records, geometries)?;
+        found.notes.extend(opened.end);
         return Ok(found);
     }
-    let has_both = [CsvRole::Latitude, CsvRole::Longitude]
-        .iter()
-        .all(|role| table.has(*role));
-    let mut xy = None;
-    if !has_both {
-        table.places = table.places(&records);
-        xy = table
-            .places
-            .is_none()
-            .then(|| table.take_xy(&records))
-            .flatten();
-    }
-    for role in [CsvRole::Latitude, CsvRole::Longitude] {
-        if !table.has(role) && table.places.is_none() {
-            return Err(error(
-                1,
-                format!(
-                    "there is no column for the {}; there are: {}",
-                    role.name(),
-                    names.join(", ")
-                ),
-            ));
-        }
-    }
+    let xy = opened.find_places()?;
+    let OpenedTable {
+        table,
+        records,
+        end,
+        utm,
+        ..
+    } = opened;
     let rows: Vec<CsvRow> = records
         .into_iter()
         .map(|(line, record)| CsvRow {

@@ -43,6 +43,27 @@ impl ReadCsvTable<'_> {
         })
     }
 
+    /// Whether numbers have commas before their decimals, by the cells of latitudes and longitudes: none has a point, and some
+    /// have one comma between digits.
+    pub(super) fn writes_commas(&self, records: &Records) -> bool {
+        let roles = [CsvRole::Latitude, CsvRole::Longitude];
+        let is_angle = |column: &CsvColumn| column.role.is_some_and(|role| roles.contains(&role));
+        let columns = self.columns.iter().enumerate();
+        let angles: Vec<usize> = columns
+            .filter_map(|(at, column)| is_angle(column).then_some(at))
+            .collect();
+        let cells = records
+            .iter()
+            .flat_map(|(_, row)| angles.iter().filter_map(|at| row.get(*at)));
+        let is_with_comma = |cell: &str| {
+            let parts = cell.trim_start_matches(['-', '+']).split_once(',');
+            let are_digits =
+                |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+            parts.is_some_and(|(whole, rest)| are_digits(whole) && are_digits(rest))
+        };
+        !cells.clone().any(|cell| cell.contains('.')) && cells.clone().any(is_with_comma)
+    }
+
     /// Takes `lat_m` beside degrees with a fraction for the metres that it is then, and not for minutes.
     pub(super) fn leave_metres(&mut self, records: &Records) {
         use CsvRole::{Latitude, LatitudeMinutes, LatitudeSeconds};

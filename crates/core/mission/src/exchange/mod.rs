@@ -11,6 +11,7 @@ mod air_altitudes;
 mod angle;
 mod complex;
 mod csv_bare;
+mod csv_cells;
 mod csv_columns;
 mod csv_fixed;
 mod csv_geometry;
@@ -69,7 +70,7 @@ mod write;
 mod written;
 mod xml;
 
-pub use csv_bare::cells_of_row;
+pub use csv_cells::cells_of_row;
 pub use error::ExchangeError;
 pub use flown::write_flown;
 pub use flown_track::{FlownPoint, FlownTrack, FlownValues};
