@@ -13,16 +13,20 @@ use super::item::{
     CHANGE_SPEED, JUMP, LAND, LOITER_TIME, LOITER_UNLIMITED, MissionItem, RETURN_TO_LAUNCH,
     WAY_POINT,
 };
-use super::item_route::{MissionStep, route_of};
+use super::item_route::{Home, MissionStep, route_of};
 use super::xml::{NamedText, XmlElement};
+use crate::mission::found::on_globe;
 
 /// Frames of heights above mean sea level and above take-off.
 const ABSOLUTE: u8 = 0;
 const RELATIVE: u8 = 3;
 const YAW: u16 = 115;
 const REGION_OF_INTEREST: u16 = 201;
-/// Flag of the last command of a mission.
+/// Flags of the last command of a mission, and of a command to where home is.
 const LAST: f64 = 165.0;
+const AT_HOME: f64 = 72.0;
+/// Latitude and longitude of home, as planners of INAV call them.
+const HOME: [&str; 2] = ["home-y", "home-x"];
 
 /// Names of the commands, by their numbers from one on.
 const ACTIONS: [&str; 8] = [
@@ -88,8 +92,8 @@ fn of_terminal(line: &str) -> Option<InavItem> {
     })
 }
 
-/// The commands of JSON as `mwp` writes it.
-fn of_json(text: &str) -> Option<Vec<InavItem>> {
+/// The missions of JSON as `mwp` writes it.
+fn of_json(text: &str) -> Option<Vec<InavMission>> {
     let root: Value = serde_json::from_str(text).ok()?;
     let item = |item: &Value| {
         let number = |name: &str| item.get(name).and_then(Value::as_f64).unwrap_or(0.0);
@@ -104,58 +108,113 @@ fn of_json(text: &str) -> Option<Vec<InavItem>> {
             flag: number("flag"),
         })
     };
-    let missions = root.get("missions").and_then(Value::as_array);
-    let items = match missions.and_then(|missions| missions.first()) {
-        Some(first) => first.get("mission").or_else(|| first.get("missionitems"))?,
-        None => root.get("mission")?,
+    let home = |of: &Value| {
+        let meta = of.get("meta").or_else(|| of.get("mwp"))?;
+        let [latitude, longitude] = HOME.map(|name| meta.get(name).and_then(Value::as_f64));
+        stated_home(latitude?, longitude?)
     };
-    items.as_array()?.iter().map(item).collect()
+    let mission = |of: &Value| {
+        let items = of.get("mission").or_else(|| of.get("missionitems"))?;
+        Some(InavMission {
+            home: home(of).or_else(|| home(&root)),
+            items: items.as_array()?.iter().map(item).collect::<Option<_>>()?,
+        })
+    };
+    match root.get("missions").and_then(Value::as_array) {
+        Some(missions) if !missions.is_empty() => missions.iter().map(mission).collect(),
+        _ => Some(vec![mission(&root)?]),
+    }
+}
+
+/// Home at a latitude and longitude, degrees, whose height no file states; 0, 0 is one that was never set.
+fn stated_home(latitude: f64, longitude: f64) -> Option<Home> {
+    let is_set = (latitude, longitude) != (0.0, 0.0) && on_globe(longitude, latitude);
+    is_set.then_some([latitude, longitude, 0.0])
 }
 
 /// Reads the missions of a file, each as a route.
 pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
     let mut found = GeodeticContent::default();
-    let mut mission = Vec::new();
-    for item in items(file, text)? {
-        let is_last = item.flag == LAST;
-        mission.push(item);
-        if is_last {
-            add(std::mem::take(&mut mission), &mut found);
+    for InavMission { home, items } in missions(file, text)? {
+        let mut mission = Vec::new();
+        for item in items {
+            let is_last = item.flag == LAST;
+            mission.push(item);
+            if is_last {
+                add(std::mem::take(&mut mission), home, &mut found);
+            }
         }
+        add(mission, home, &mut found);
     }
-    add(mission, &mut found);
     let mut notes = vec!["this is a mission of INAV or Multiwii; it is written as a plan".into()];
+    if found
+        .routes
+        .iter()
+        .any(|r| r.properties.contains_key("home"))
+    {
+        notes.push("the file states no height of home: 0 m above sea level is written".into());
+    }
     notes.append(&mut found.notes);
     found.notes = notes;
     Ok(found)
 }
 
-/// The commands of a text of any of the three forms.
-fn items(file: &str, text: &str) -> Result<Vec<InavItem>, ExchangeError> {
-    if let Some(items) = of_json(text) {
-        return Ok(items);
+/// The missions of a text of any of the three forms.
+fn missions(file: &str, text: &str) -> Result<Vec<InavMission>, ExchangeError> {
+    if let Some(missions) = of_json(text) {
+        return Ok(missions);
     }
     if !text.trim_start().starts_with('<') {
-        return Ok(text.lines().filter_map(of_terminal).collect());
+        return Ok(vec![InavMission {
+            home: None,
+            items: text.lines().filter_map(of_terminal).collect(),
+        }]);
     }
     let source = NamedText { file, text };
     let root = source.root()?;
-    let mut elements = Vec::new();
-    gather(&root, &mut elements);
-    let items = elements
-        .into_iter()
-        .map(|element| InavItem::of(&source, element));
-    items.collect()
+    let mut missions = vec![InavMission::default()];
+    gather(&source, &root, &mut missions)?;
+    Ok(missions)
 }
 
-fn gather<'a>(element: &'a XmlElement, items: &mut Vec<&'a XmlElement>) {
+/// Adds the commands within an element to the last mission; one that states home begins another.
+fn gather(
+    source: &NamedText,
+    element: &XmlElement,
+    missions: &mut Vec<InavMission>,
+) -> Result<(), ExchangeError> {
     for child in &element.children {
         if child.name.eq_ignore_ascii_case("missionitem") {
-            items.push(child);
-        } else {
-            gather(child, items);
+            let item = InavItem::of(source, child)?;
+            if let Some(mission) = missions.last_mut() {
+                mission.items.push(item);
+            }
+            continue;
         }
+        let number = |name: &str| attribute(child, name).parse::<f64>().ok();
+        if let [Some(latitude), Some(longitude)] = HOME.map(number) {
+            missions.push(InavMission {
+                home: stated_home(latitude, longitude),
+                items: Vec::new(),
+            });
+        }
+        gather(source, child, missions)?;
     }
+    Ok(())
+}
+
+/// The value of an attribute, its name in letters of either case; empty without it.
+fn attribute<'a>(element: &'a XmlElement, name: &str) -> &'a str {
+    let mut all = element.attributes.iter();
+    let found = all.find(|(own, _)| own.eq_ignore_ascii_case(name));
+    found.map_or("", |(_, value)| value.trim())
+}
+
+/// Mission of a file: its home, where the file states it, and its commands.
+#[derive(Default)]
+struct InavMission {
+    home: Option<Home>,
+    items: Vec<InavItem>,
 }
 
 /// A command as the file states it.
@@ -171,11 +230,7 @@ struct InavItem {
 
 impl InavItem {
     fn of(source: &NamedText, element: &XmlElement) -> Result<Self, ExchangeError> {
-        let value = |name: &str| {
-            let mut all = element.attributes.iter();
-            let found = all.find(|(own, _)| own.eq_ignore_ascii_case(name));
-            found.map_or("", |(_, value)| value.trim())
-        };
+        let value = |name: &str| attribute(element, name);
         let number = |name: &str| match value(name) {
             "" => Ok(0.0),
             text => text
@@ -236,11 +291,16 @@ fn placeless(command: u16, first: [f64; 4]) -> MissionItem {
 }
 
 /// Adds the route of a mission.
-fn add(mission: Vec<InavItem>, found: &mut GeodeticContent) {
+fn add(mission: Vec<InavItem>, home: Option<Home>, found: &mut GeodeticContent) {
     let mut steps = Vec::new();
     let mut speed = 0.0;
     let mut unknown = Vec::new();
-    for item in mission {
+    for mut item in mission {
+        if item.flag == AT_HOME
+            && let Some([latitude, longitude, _]) = home
+        {
+            (item.latitude, item.longitude) = (latitude, longitude);
+        }
         let none = [Some(0.0), Some(0.0), Some(0.0), None];
         let [first, second, _] = item.parameters;
         // Centimetres a second over ground; 0 is the usual speed.
@@ -283,7 +343,7 @@ fn add(mission: Vec<InavItem>, found: &mut GeodeticContent) {
         ));
     }
     if !steps.is_empty() {
-        let (route, notes) = route_of(steps, None);
+        let (route, notes) = route_of(steps, home);
         found.notes.extend(notes);
         found.routes.push(route);
     }
@@ -382,6 +442,60 @@ mod tests {
         assert_eq!(jump[3..6], ["177", "1", "3"], "{right}");
         assert_eq!(written("a.txt", lines), right);
         assert_eq!(written("a.json", json), right);
+    }
+
+    #[test]
+    fn home_is_that_of_the_file_unless_it_was_never_set() {
+        let of = |text: &str| read_any("a.mission", text.as_bytes(), None).unwrap();
+        let plain = of(MISSION);
+        assert!(!plain.routes[0].properties.contains_key("home"));
+        let at_home = MISSION.replace(
+            "home-x=\"0\" home-y=\"0\"",
+            "home-x=\"18.5\" home-y=\"-33.9\"",
+        );
+        let json = r#"{"meta":{"home-x":18.5,"home-y":-33.9},"mission":[
+            {"no":1,"action":"WAYPOINT","lat":-33.8501,"lon":18.4201,"alt":50},
+            {"no":2,"action":"WAYPOINT","lat":0,"lon":0,"alt":50,"flag":72},
+            {"no":3,"action":"LAND","lat":-33.8521,"lon":18.4221,"alt":0,"flag":165}]}"#;
+        for text in [at_home.as_str(), json] {
+            let read = of(text);
+            assert_eq!(read.routes[0].properties["home"], "[-33.9,18.5,0.0]");
+            assert!(
+                read.notes
+                    .iter()
+                    .any(|note| note.contains("no height of home"))
+            );
+            let plan = write_route(Format::Plan, &read.routes[0], &read.frame).unwrap();
+            let plan: serde_json::Value = serde_json::from_slice(&plan.bytes).unwrap();
+            let home = &plan["mission"]["plannedHomePosition"];
+            assert_eq!(
+                (home[0].as_f64(), home[1].as_f64()),
+                (Some(-33.9), Some(18.5))
+            );
+        }
+        // A command to home flies there.
+        let read = of(json);
+        let place = read
+            .frame
+            .geodetic_from_ground(&read.routes[0].way_points[1].position);
+        assert!((place.latitude.to_degrees() + 33.9).abs() < 1e-8);
+        assert!((place.longitude.to_degrees() - 18.5).abs() < 1e-8);
+    }
+
+    #[test]
+    fn each_mission_of_a_file_has_its_own_home() {
+        let mission = |north: f64| {
+            let inside = MISSION.split_once("</version>").unwrap().1;
+            let inside = inside.trim_end().trim_end_matches("</mission>");
+            inside.replace(
+                "home-x=\"0\" home-y=\"0\"",
+                &format!("home-x=\"18.5\" home-y=\"{north}\""),
+            )
+        };
+        let text = format!("<mission>{}{}</mission>", mission(-33.9), mission(-33.8));
+        let read = read_any("a.mission", text.as_bytes(), None).unwrap();
+        let homes: Vec<&str> = read.routes.iter().map(|r| &*r.properties["home"]).collect();
+        assert_eq!(homes, ["[-33.9,18.5,0.0]", "[-33.8,18.5,0.0]"]);
     }
 
     #[test]
