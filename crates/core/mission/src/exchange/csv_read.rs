@@ -106,6 +106,7 @@ impl<'a> OpenedTable<'a> {
         table.has_decimal_comma |= table.writes_commas(&records);
         let end = end_of_file(&table, content, &records)?;
         table.leave_metres(&records);
+        table.take_hemispheres(&records);
         let utm = in_degrees(&mut table, &mut records)?;
         Ok(Self {
             table,

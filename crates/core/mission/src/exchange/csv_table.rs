@@ -35,12 +35,22 @@ impl ReadCsvTable<'_> {
         records: &Records,
         is_wanted: impl Fn(&str) -> bool,
     ) -> Option<usize> {
-        (0..self.columns.len()).find(|column| {
+        self.columns_of(records, is_wanted).first().copied()
+    }
+
+    /// The columns without a meaning of which all cells that say anything are as wanted.
+    pub(super) fn columns_of(
+        &self,
+        records: &Records,
+        is_wanted: impl Fn(&str) -> bool,
+    ) -> Vec<usize> {
+        let is_such = |column: &usize| {
             let cells = records.iter().filter_map(|(_, row)| row.get(*column));
             let mut cells = cells.filter(|cell| !cell.is_empty()).peekable();
             let is_free = self.columns[*column].role.is_none();
             is_free && cells.peek().is_some() && cells.all(&is_wanted)
-        })
+        };
+        (0..self.columns.len()).filter(is_such).collect()
     }
 
     /// Whether numbers have commas before their decimals, by the cells of latitudes and longitudes: none has a point, and some

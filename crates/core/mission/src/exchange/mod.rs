@@ -15,6 +15,7 @@ mod csv_cells;
 mod csv_columns;
 mod csv_fixed;
 mod csv_geometry;
+mod csv_hemisphere;
 mod csv_named;
 mod csv_place;
 mod csv_preface;

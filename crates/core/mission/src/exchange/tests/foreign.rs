@@ -320,6 +320,12 @@ fn hemispheres_in_columns_of_their_own_or_at_the_numbers_are_heeded() {
         "name,lat,lat_ns,lon,lon_ew\nWell,33.85,S,18.42,W\n",
         "name,lat,north_south,lon,east_west\nWell,33.85,S,18.42,W\n",
         "Name,GPSLatitude,GPSLatitudeRef,GPSLongitude,GPSLongitudeRef\nWell,33.85,S,18.42,W\n",
+        // Known by their cells.
+        "name,lat,lat_hem,lon,lon_hem\nWell,33.85,S,18.42,W\n",
+        "name,lat,hemi,lon,hemi2\nWell,33.85,s,18.42,w\n",
+        "name,lat,,lon,\nWell,33.85,S,18.42,W\n",
+        "name,lat,lon,h1,h2\nWell,33.85,18.42,South,West\n",
+        "name,lat,lon_ind,lon\nWell,-33.85,W,18.42\n",
     ] {
         let back = read_any("x.csv", text.as_bytes(), None).unwrap();
         let origin = back.frame.origin;
@@ -332,6 +338,10 @@ fn hemispheres_in_columns_of_their_own_or_at_the_numbers_are_heeded() {
             "{text}"
         );
     }
+    // Which way something faces is no hemisphere.
+    let facing = "name,lat,lon,facing\nWell,33.85,18.42,S\n";
+    let back = read_any("x.csv", facing.as_bytes(), None).unwrap();
+    assert!((back.frame.origin.latitude.to_degrees() - 33.85).abs() < 1e-9);
     let wrong = "name,latitude,N/S,longitude,E/W\nWell,33.85,up,18.42,W\n";
     let error = read_any("x.csv", wrong.as_bytes(), None)
         .unwrap_err()
