@@ -262,7 +262,8 @@ fn in_degrees(angle: f64) -> f64 {
 /// as of the Matrice 300 and the Avata 2, has the latitude first; where satellites are counted last, the longitude is.
 fn is_latitude_first(parts: &[&str]) -> bool {
     let is_beyond = |at: usize| {
-        let number = parts.get(at).and_then(|part| part.parse::<f64>().ok());
+        let part = parts.get(at).map(|part| part.trim_end_matches('°'));
+        let number = part.and_then(|part| part.parse::<f64>().ok());
         number.is_some_and(|number| number.abs() > 90.0)
     };
     let last = parts.get(2).copied().unwrap_or("");
@@ -292,8 +293,9 @@ fn with_points(words: &str) -> String {
     pointed
 }
 
-/// The number of `12.5`, `12.5m` in metres, `41.0ft` in metres, `33.9s` and `70.6w` in degrees north and east.
+/// The number of `12.5`, `12.5m` in metres, `41.0ft` in metres, `47.1°`, `33.9s` and `70.6°w` in degrees north and east.
 fn amount(text: &str) -> Option<f64> {
+    let text = text.trim_end_matches('°');
     let number = text.trim_end_matches(|c: char| c.is_ascii_lowercase());
     let factor = match &text[number.len()..] {
         "" | "m" | "n" | "e" => 1.0,
@@ -301,7 +303,8 @@ fn amount(text: &str) -> Option<f64> {
         "ft" => METRES_PER_FOOT,
         _ => return None,
     };
-    Some(number.trim().parse::<f64>().ok()? * factor)
+    let number = number.trim_end_matches('°').trim();
+    Some(number.parse::<f64>().ok()? * factor)
 }
 
 /// Text in round brackets behind a word.
@@ -311,8 +314,9 @@ fn in_brackets<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     rest.split_once(')').map(|(inside, _)| inside)
 }
 
-/// A coordinate and which of both it is: as its letter says (`w:8.5`), else the usual one.
+/// A coordinate and which of both it is: as its letter says (`w:8.5`, `w:8.5°`), else the usual one.
 fn axis(text: &str, usual: usize) -> Option<(usize, f64)> {
+    let text = text.trim_end_matches('°');
     let Some((letter, value)) = text.split_once(':') else {
         return Some((usual, text.parse().ok()?));
     };
@@ -439,6 +443,11 @@ mod tests {
                 47.0 + 1e-5 * i as f64
             )
         };
+        // Later firmware writes signs of degrees.
+        let signed = words(0)
+            .replace("8.000000", "8.000000°")
+            .replace(", 12.50m", "°, 12.50m");
+        assert_eq!(values(&signed), values(&words(0)));
         let found = values(&words(0));
         // Of Rz(45°) Ry(10°) Rz(0.5°), as above; roll atan(tan 10° sin 0.5°).
         let expected = [
