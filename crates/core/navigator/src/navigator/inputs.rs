@@ -26,8 +26,17 @@ const NEEDED: [ChannelName; 7] = [
     ChannelName::VelocityNorth,
     ChannelName::VelocityEast,
 ];
-/// Those of them that never stand still in the air.
-const NEVER_STILL: [ChannelName; 2] = [ChannelName::Airspeed, ChannelName::Heading];
+/// Those of them that never stand still in the air …
+const NEVER_STILL: [ChannelName; 6] = [
+    ChannelName::Airspeed,
+    ChannelName::Heading,
+    ChannelName::Roll,
+    ChannelName::Pitch,
+    ChannelName::VelocityNorth,
+    ChannelName::VelocityEast,
+];
+/// … and those whose loss leaves an airspeed to be assumed.
+const OF_THE_AIR: [ChannelName; 2] = [ChannelName::Airspeed, ChannelName::Heading];
 
 /// Time over which turns are looked at, seconds: as long as turns take.
 const WANDER: f64 = 5.0;
@@ -185,7 +194,7 @@ impl Inputs {
                 });
             };
             if NEVER_STILL.contains(&name) {
-                say(SensorFault::Stuck, stretches_stuck(channel, span));
+                say(SensorFault::Stuck, stretches_stuck(flight, channel, span));
             }
             say(SensorFault::Silent, silences(channel, span));
         }
@@ -225,7 +234,7 @@ impl Inputs {
     /// Airspeed to assume while none can be believed, and its standard deviation, m/s: `None` where nothing
     /// is ever doubted, or no flight was seen.
     pub(super) fn cruise(&self) -> Option<(f64, f64)> {
-        let matters = |doubted: &Doubted| NEVER_STILL.contains(&doubted.channel);
+        let matters = |doubted: &Doubted| OF_THE_AIR.contains(&doubted.channel);
         self.cruise.filter(|_| self.doubted.iter().any(matters))
     }
 
@@ -287,11 +296,17 @@ fn stretch(doubted: &[Doubted], channel: ChannelName, time: f64) -> Option<Doubt
     of_channel.find_map(|doubted| doubted.stretch(time))
 }
 
-fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
+/// Stretches in which a channel shows one and the same number while the vehicle moves.
+fn stretches_stuck(flight: &Flight, channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
     let is_airspeed = channel.name == ChannelName::Airspeed;
     let mut series = Series::new();
     for (time, value) in channel.times.iter().zip(&channel.values) {
-        if !is_airspeed || *value > STANDING {
+        let counts = if is_airspeed {
+            *value > STANDING
+        } else {
+            moves(flight, *time)
+        };
+        if counts {
             series.push(*time, *value);
         }
     }
@@ -303,6 +318,16 @@ fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
             until: stretch.end,
         })
         .collect()
+}
+
+/// Whether a vehicle does not stand, nor hover so still that its instruments may: by the speeds that it has, and where none
+/// is measured, it moves.
+fn moves(flight: &Flight, time: f64) -> bool {
+    let value = |name| flight.value(name, time);
+    let over_ground = value(ChannelName::VelocityNorth).zip(value(ChannelName::VelocityEast));
+    let over_ground = over_ground.map(|(north, east)| north.hypot(east));
+    let speed = over_ground.or_else(|| value(ChannelName::Airspeed));
+    speed.is_none_or(|speed| speed > STANDING)
 }
 
 /// Pauses of a channel and the time after its end: from when each could be noticed to the next sample, seconds.
@@ -451,6 +476,58 @@ mod tests {
         }
         let inputs = Inputs::of(&flight);
         assert!(inputs.doubted.is_empty(), "{:?}", inputs.doubted);
+    }
+
+    /// The flight with a velocity and a tilt that wag, but from 40 s to 60 s stand where they were.
+    fn with_stuck(speed: f64) -> Flight {
+        let mut flight = flight();
+        let times: Vec<f64> = (0..900).map(|i| 0.1 * f64::from(i)).collect();
+        for (name, middle) in [
+            (ChannelName::VelocityNorth, speed),
+            (ChannelName::VelocityEast, 0.0),
+            (ChannelName::Roll, 0.0),
+            (ChannelName::Pitch, -0.1),
+        ] {
+            let shown = |t: f64| if (40.0..60.0).contains(&t) { 40.0 } else { t };
+            let values = times
+                .iter()
+                .map(|t| middle + 0.05 * (3.0 * shown(*t)).sin());
+            flight.channels.push(Channel {
+                name,
+                times: times.clone(),
+                values: values.collect(),
+            });
+        }
+        flight
+    }
+
+    #[test]
+    fn a_velocity_and_a_tilt_that_stick_are_found_and_not_flown_by() {
+        let flight = with_stuck(12.0);
+        let inputs = Inputs::of(&flight);
+        let told: Vec<String> = inputs.doubts(50.0).iter().map(Doubt::words).collect();
+        assert_eq!(
+            told,
+            [
+                "roll is stuck since 43.0 s",
+                "pitch is stuck since 43.0 s",
+                "velocity north is stuck since 43.0 s",
+                "velocity east is stuck since 43.0 s"
+            ]
+        );
+        let input = |time| inputs.between(&flight, time - 0.05, time + 0.05);
+        let stuck = input(50.0);
+        assert_eq!(stuck.ground_velocity, None);
+        assert!(stuck.tilt_deviation > 0.03, "{stuck:?}");
+        for time in [30.0, 70.0] {
+            let sound = input(time);
+            assert!(sound.ground_velocity.is_some() && sound.tilt_deviation == 0.0);
+            assert_eq!(inputs.doubts(time), []);
+        }
+        // The airspeed is sound: none is assumed.
+        assert_eq!(inputs.cruise(), None);
+        // What stands on the ground, or hovers still, is not stuck.
+        assert_eq!(Inputs::of(&with_stuck(0.5)).doubts(50.0), []);
     }
 
     #[test]
