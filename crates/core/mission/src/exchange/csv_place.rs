@@ -17,6 +17,12 @@ pub(super) enum PlaceOrder {
 /// A cell without what stands around its numbers, and without a height behind them; commas of decimals as points.
 fn plain(cell: &str) -> String {
     let cell = cell.trim().trim_start_matches("geo:");
+    // As Google's and Leaflet's libraries print places.
+    let lower = cell.to_lowercase();
+    let printed = ["lat/lng:", "latlng"]
+        .iter()
+        .find(|word| lower.starts_with(**word));
+    let cell = cell[printed.map_or(0, |word| word.len())..].trim();
     let cell = cell.trim_matches(['(', ')', '[', ']', '{', '}', ' ', '"']);
     // `47.5/8.5`.
     if let (1, [a, b]) = (
@@ -83,8 +89,22 @@ pub(super) fn is_place(cell: &str) -> bool {
     let plain = plain(cell);
     // Whole numbers without a mark may be anything.
     let is_marked = plain.contains(['.', '°']) || says_order(&plain);
-    is_marked && (numbers(&plain).is_some() || place_of_text(&plain).is_ok())
-        || place_of_text(&plain).is_ok() && plain.contains('+')
+    // One angle with a decimal comma is no pair.
+    let is_pair = angle_of_text(&plain).is_none() && numbers(&plain).is_some();
+    is_marked && (is_pair || place_of_text(&plain).is_ok() && angle_of_text(&plain).is_none())
+        || place_of_text(&plain).is_ok() && (plain.contains('+') || is_square(&plain))
+}
+
+/// Whether a cell has the form of a reference of MGRS: zone, three letters, an even number of digits.
+fn is_square(cell: &str) -> bool {
+    let cell: String = cell.split_whitespace().collect();
+    let rest = cell.trim_start_matches(|c: char| c.is_ascii_digit());
+    let digits = rest.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    let (zone, letters) = (cell.len() - rest.len(), rest.len() - digits.len());
+    (1..=2).contains(&zone)
+        && letters == 3
+        && [4, 6, 8, 10].contains(&digits.len())
+        && digits.bytes().all(|b| b.is_ascii_digit())
 }
 
 /// Whether the name of a column says that places stand in it.
@@ -92,9 +112,11 @@ pub(super) fn is_name_of_places(name: &str) -> bool {
     let name = name.to_lowercase();
     let words = [
         "coord", "posit", "locat", "gps", "where", "lat", "lon", "lng", "place", "point", "geo",
-        "wkt", "koord", "ort",
+        "wkt", "koord", "ort", "mgrs", "usng", "utm",
     ];
+    let is_short = |word: &str| ["pos", "grid", "ll"].contains(&word);
     words.iter().any(|word| name.contains(word))
+        || name.split(|c: char| !c.is_alphabetic()).any(is_short)
 }
 
 /// Whether a cell is a place whatever its column is called: by letters, signs of degrees, or the decimals of a place.
@@ -178,6 +200,8 @@ mod tests {
             "8.5E 47.5N",
             "geo:47.5,8.5",
             "47.5/8.5",
+            "lat/lng: (47.5,8.5)",
+            "LatLng(47.5, 8.5)",
         ] {
             assert!(is_place(cell), "{cell}");
             let found = place(cell, LatitudeFirst);
@@ -197,6 +221,9 @@ mod tests {
             "1.5",
             "100.5, 200.5",
             "2024-05-01 10:00:00",
+            // One angle with a decimal comma.
+            "47,85° S",
+            "12ABC3",
         ] {
             let is_place = is_place(cell) && place(cell, LatitudeFirst).is_some();
             assert!(!is_place, "{cell}");

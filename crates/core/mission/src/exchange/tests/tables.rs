@@ -285,6 +285,27 @@ fn a_height_in_a_geometry_counts_from_the_sea() {
 }
 
 #[test]
+fn places_of_short_names_squares_and_libraries_are_read() {
+    for (table, right) in [
+        (
+            "name,pos\nA,-33.85 -18.42\nB,-33.86 -18.43\n",
+            [[-33.85, -18.42], [-33.86, -18.43]],
+        ),
+        (
+            "name,location\nA,\"lat/lng: (-33.85,-18.42)\"\nB,\"LatLng(-33.86, -18.43)\"\n",
+            [[-33.85, -18.42], [-33.86, -18.43]],
+        ),
+        // pyproj: 32632 to 4326 of (448251.5, 5211932.5) and a kilometre east, the middles of their squares.
+        (
+            "name,MGRS\nA,32TMT4825111932\nB,32T MT 49251 11932\n",
+            [[47.0588796342, 8.3185776663], [47.0589572212, 8.3317447023]],
+        ),
+    ] {
+        assert_at(&landmarks(&read(table)), &right);
+    }
+}
+
+#[test]
 fn hemispheres_in_the_names_of_columns_turn_places() {
     for (head, right) in [
         ("name,Latitude (S),Longitude (W)", [-47.5, -8.25]),
