@@ -161,11 +161,12 @@ fn read_named(file: &str, content: &str, added: u64) -> Result<GeodeticContent, 
     let xy = opened.find_places()?;
     let OpenedTable {
         table,
-        records,
+        mut records,
         end,
         utm,
         ..
     } = opened;
+    let unplaced = table.leave_unplaced(&mut records);
     let rows: Vec<CsvRow> = records
         .into_iter()
         .map(|(line, record)| CsvRow {
@@ -179,9 +180,8 @@ fn read_named(file: &str, content: &str, added: u64) -> Result<GeodeticContent, 
     } else {
         landmarks(&table, &rows)?
     };
-    found.notes.extend(xy);
-    found.notes.extend(utm);
-    found.notes.extend(end);
+    let told = [unplaced, xy, utm, end];
+    found.notes.extend(told.into_iter().flatten());
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(
             "nothing tells which number of `{}` is the latitude: the first is taken; call the column `lon lat` if it is the \

@@ -9,6 +9,7 @@ use super::csv_geometry::geometry;
 use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
 use super::{ExchangeError, angle};
 use crate::mission::found::{LonLat, on_globe};
+use pilotage_base::text::by_count;
 
 /// Rows with the lines at which they begin.
 pub(super) type Records = [(usize, csv::StringRecord)];
@@ -188,6 +189,37 @@ impl ReadCsvTable<'_> {
         Some(format!(
             "`{}` and `{}` are taken for longitude and latitude in degrees",
             self.columns[x].name, self.columns[y].name
+        ))
+    }
+
+    /// Leaves out the rows of landmarks that state neither latitude nor longitude, and returns a note of how many. Of
+    /// way-points none may lack, nor all of either.
+    pub(super) fn leave_unplaced(
+        &self,
+        records: &mut Vec<(usize, csv::StringRecord)>,
+    ) -> Option<String> {
+        if self.holds_way_points() {
+            return None;
+        }
+        let of_place = |column: usize| match self.places {
+            Some(places) => places.column == column,
+            None => self.columns.get(column).is_some_and(|c| {
+                [Some(CsvRole::Latitude), Some(CsvRole::Longitude)].contains(&c.role)
+            }),
+        };
+        let is_placed = |(_, row): &(usize, csv::StringRecord)| {
+            let mut cells = row.iter().enumerate();
+            cells.any(|(column, cell)| of_place(column) && !cell.is_empty())
+        };
+        let count = records.iter().filter(|row| !is_placed(row)).count();
+        if count == 0 || count == records.len() {
+            return None;
+        }
+        records.retain(is_placed);
+        Some(format!(
+            "{count} {} no place, and {} left out",
+            by_count(count, "row has", "rows have"),
+            by_count(count, "is", "are")
         ))
     }
 

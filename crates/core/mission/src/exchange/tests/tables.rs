@@ -285,6 +285,24 @@ fn a_height_in_a_geometry_counts_from_the_sea() {
 }
 
 #[test]
+fn a_landmark_without_a_place_is_left_out_and_told_and_no_way_point_is() {
+    let found = read("name,lat,lon\nA,,\nB,-33.85,-18.42\nC,,\n");
+    assert_at(&landmarks(&found), &[[-33.85, -18.42]]);
+    let told = |note: &String| note == "2 rows have no place, and are left out";
+    assert!(found.notes.iter().any(told), "{:?}", found.notes);
+    let found = read("name,pos\nA,\nB,\"-33.85, -18.42\"\n");
+    assert_at(&landmarks(&found), &[[-33.85, -18.42]]);
+    for refused in [
+        "name,lat,lon\nA,,\n",
+        "name,lat,lon\nA,-33.85,\nB,-33.85,-18.42\n",
+        "lat,lon,alt\n,,50\n-33.85,-18.42,50\n",
+    ] {
+        let error = read_any("x.csv", refused.as_bytes(), None).unwrap_err();
+        assert!(error.to_string().contains("line 2"), "{error}");
+    }
+}
+
+#[test]
 fn places_of_short_names_squares_and_libraries_are_read() {
     for (table, right) in [
         (
