@@ -225,13 +225,15 @@ fn is_unit(word: &str) -> bool {
     UNITS.contains(&word.to_lowercase().as_str())
 }
 
-/// Letter of a hemisphere by its letter or word in small letters.
-fn hemisphere(word: &str) -> Option<char> {
+/// Letter of a hemisphere, N, S, E or W, by its letter or word in small letters: English, German, French, Spanish or Italian.
+///
+/// A lone `o` is the east in German and the west in the others, and `est` behind a time its zone: both are none.
+pub fn hemisphere(word: &str) -> Option<char> {
     match word {
-        "n" | "north" => Some('N'),
-        "s" | "south" => Some('S'),
-        "e" | "east" => Some('E'),
-        "w" | "west" => Some('W'),
+        "n" | "north" | "nord" | "norte" => Some('N'),
+        "s" | "south" | "süd" | "sued" | "sud" | "sur" => Some('S'),
+        "e" | "east" | "ost" | "este" => Some('E'),
+        "w" | "west" | "ouest" | "oeste" | "ovest" => Some('W'),
         _ => None,
     }
 }
@@ -308,6 +310,11 @@ mod tests {
             );
         }
         assert_eq!(degrees_of_text("18.5 E"), Some(18.5));
+        for text in ["18,5° Ouest", "18.5 Oeste", "18°30' ovest", "18.5 West"] {
+            assert_eq!(degrees_of_text(text), Some(-18.5), "{text}");
+        }
+        assert_eq!(degrees_of_text("18,5° Ost"), Some(18.5));
+        assert_eq!(degrees_of_text("33,5° Süd"), Some(-33.5));
         assert_eq!(degrees_of_text("0°30'W"), Some(-0.5));
         assert_eq!(degrees_of_text("0083000.0E"), Some(8.5));
         assert_eq!(degrees_of_text("00830.0W"), Some(-8.5));
@@ -357,6 +364,8 @@ mod tests {
             "33.85DEGS",
             "N 33.85 S",
             "33-51-00",
+            "18.5 O",
+            "10:00:00 EST",
         ] {
             assert_eq!(degrees_of_text(text), None, "{text}");
         }

@@ -1,7 +1,37 @@
-//! Columns of letters of hemispheres, known by their cells, whatever they are called.
+//! Letters of hemispheres in tables: in columns known by their cells, whatever they are called, and O for east or west.
+
+use pilotage_base::angle_text::hemisphere;
 
 use super::csv_columns::CsvRole;
 use super::csv_table::{ReadCsvTable, Records};
+
+/// Words of names of columns in languages in which O is the east, and in those in which it is the west.
+const EAST_IS_O: [&str; 10] = [
+    "breite",
+    "länge",
+    "laenge",
+    "breitengrad",
+    "längengrad",
+    "laengengrad",
+    "höhe",
+    "hoehe",
+    "bezeichnung",
+    "punkt",
+];
+const WEST_IS_O: [&str; 12] = [
+    "latitud",
+    "longitud",
+    "nombre",
+    "altitud",
+    "nom",
+    "hauteur",
+    "lieu",
+    "latitudine",
+    "longitudine",
+    "nome",
+    "quota",
+    "altura",
+];
 
 /// Words of names of columns of such letters.
 const WORDS: [&str; 20] = [
@@ -27,19 +57,22 @@ const WORDS: [&str; 20] = [
     "cardinal",
 ];
 
-/// An angle, the role of the letters beside it, and those as cells and words.
-const KINDS: [(CsvRole, CsvRole, [&str; 4]); 2] = [
-    (
-        CsvRole::Latitude,
-        CsvRole::NorthSouth,
-        ["N", "S", "NORTH", "SOUTH"],
-    ),
-    (
-        CsvRole::Longitude,
-        CsvRole::EastWest,
-        ["E", "W", "EAST", "WEST"],
-    ),
+/// An angle, the role of the letters beside it, and those.
+const KINDS: [(CsvRole, CsvRole, [char; 2]); 2] = [
+    (CsvRole::Latitude, CsvRole::NorthSouth, ['N', 'S']),
+    (CsvRole::Longitude, CsvRole::EastWest, ['E', 'W']),
 ];
+
+/// An O that stands alone at the end of a cell, or before its number.
+fn lone_o(cell: &str) -> Option<usize> {
+    let cell = cell.trim_end();
+    let is_o = |letter: char| letter.eq_ignore_ascii_case(&'o');
+    if cell.starts_with(is_o) && !cell.chars().nth(1).is_some_and(char::is_alphabetic) {
+        return Some(0);
+    }
+    let before = cell.strip_suffix(is_o)?;
+    (!before.ends_with(char::is_alphabetic)).then_some(before.len())
+}
 
 impl ReadCsvTable<'_> {
     /// Takes columns of nothing but letters or words of hemispheres for those of latitude and longitude: each stands beside
@@ -50,7 +83,11 @@ impl ReadCsvTable<'_> {
             if self.has(role) || self.columns[at].hemisphere.is_some() {
                 return None;
             }
-            let is_letter = |cell: &str| letters.contains(&cell.to_uppercase().as_str());
+            let is_o = |cell: &str| role == CsvRole::EastWest && cell.eq_ignore_ascii_case("o");
+            let is_letter = |cell: &str| {
+                let letter = hemisphere(&cell.to_lowercase());
+                letter.is_some_and(|letter| letters.contains(&letter)) || is_o(cell)
+            };
             let all = self.columns_of(records, is_letter);
             let is_beside = |column: &&usize| column.abs_diff(at) == 1;
             let only = all.first().filter(|_| all.len() == 1);
@@ -68,4 +105,56 @@ impl ReadCsvTable<'_> {
             }
         }
     }
+    /// The letter that an O at a longitude stands for: E (German `Ost`) where west is W or names of columns are German, W
+    /// (`Ouest`, `Oeste`, `Ovest`) where east is E or they are of those languages. `None` where nothing tells.
+    pub(super) fn meaning_of_o(&self, records: &Records) -> Option<char> {
+        let is_of_longitude = |column: usize| {
+            let role = self.columns.get(column).and_then(|column| column.role);
+            role.is_some_and(|role| [CsvRole::Longitude, CsvRole::EastWest].contains(&role))
+        };
+        let cells = records
+            .iter()
+            .flat_map(|(_, row)| row.iter().enumerate())
+            .filter(|(column, _)| is_of_longitude(*column));
+        let has = |letter: char| {
+            cells.clone().any(|(_, cell)| {
+                let cell = cell.to_uppercase();
+                let mut words = cell.split(|c: char| !c.is_alphabetic());
+                words.any(|word| word.chars().eq([letter]))
+            })
+        };
+        let names: Vec<String> = self.columns.iter().map(|c| c.name.to_lowercase()).collect();
+        let says = |list: &[&str]| {
+            names.iter().any(|name| {
+                let mut words = name.split(|c: char| !c.is_alphabetic());
+                words.any(|word| list.contains(&word))
+            })
+        };
+        match (has('W'), has('E')) {
+            (true, false) => return Some('E'),
+            (false, true) => return Some('W'),
+            (true, true) => return None,
+            (false, false) => {}
+        }
+        match (says(&EAST_IS_O), says(&WEST_IS_O)) {
+            (true, false) => Some('E'),
+            (false, true) => Some('W'),
+            _ => None,
+        }
+    }
+}
+
+/// The cell of a longitude with the letter that its O stands for.
+///
+/// # Errors
+/// In words: nothing tells which that is.
+pub(super) fn without_o(cell: &str, meaning: Option<char>) -> Result<String, String> {
+    let Some(at) = lone_o(cell) else {
+        return Ok(cell.to_owned());
+    };
+    let letter = meaning.ok_or_else(|| {
+        format!("`{cell}` may be east (Ost) or west (Ouest, Oeste): write E or W in place of O")
+    })?;
+    let (before, behind) = cell.split_at(at);
+    Ok(format!("{before}{letter}{}", &behind[1..]))
 }

@@ -91,6 +91,7 @@ impl<'a> OpenedTable<'a> {
             columns: columns(&names).map_err(|cause| error(1, cause))?,
             has_decimal_comma: delimiter == ';',
             places: None,
+            o_is: None,
         };
         let mut records = Vec::new();
         for record in reader.records() {
@@ -146,6 +147,7 @@ impl<'a> OpenedTable<'a> {
                 });
             }
         }
+        table.o_is = table.meaning_of_o(&self.records);
         Ok(xy)
     }
 }

@@ -6,9 +6,11 @@ use serde_json::Value;
 
 use super::csv_columns::{CsvColumn, CsvRole, Unit};
 use super::csv_geometry::geometry;
+use super::csv_hemisphere::without_o;
 use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
 use super::{ExchangeError, angle};
 use crate::mission::found::{LonLat, on_globe};
+use pilotage_base::angle_text::hemisphere as hemisphere_of;
 use pilotage_base::text::by_count;
 
 /// Rows with the lines at which they begin.
@@ -27,6 +29,8 @@ pub(super) struct ReadCsvTable<'a> {
     pub columns: Vec<CsvColumn>,
     pub has_decimal_comma: bool,
     pub places: Option<PlaceColumn>,
+    /// Letter that an O at a longitude stands for, where something tells.
+    pub o_is: Option<char>,
 }
 
 impl ReadCsvTable<'_> {
@@ -145,17 +149,20 @@ impl ReadCsvTable<'_> {
         })
     }
 
-    /// Takes columns called X and Y, as geographic programs write them, for longitude and latitude where all their numbers
-    /// are degrees with the decimals of a place; returns a note that says so.
+    /// Takes columns called X and Y, as geographic programs write them, or by the German words that are also those of length
+    /// and width, for longitude and latitude where all their cells are degrees with the decimals, signs or letters of a place;
+    /// returns a note that says so.
     pub(super) fn take_xy(&mut self, records: &Records) -> Option<String> {
         let names = [
             ["x", "y"],
             ["xcoord", "ycoord"],
             ["x_coord", "y_coord"],
             ["point_x", "point_y"],
+            ["länge", "breite"],
+            ["laenge", "breite"],
         ];
         let is_called = |column: &CsvColumn, name: &str| {
-            column.role.is_none() && column.name.eq_ignore_ascii_case(name)
+            column.role.is_none() && column.name.to_lowercase() == name
         };
         let find = |name: &str| self.columns.iter().position(|c| is_called(c, name));
         let (x, y) = names.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
@@ -176,9 +183,14 @@ impl ReadCsvTable<'_> {
             let has_decimals = |cell: &&String| {
                 cell.split_once('.')
                     .is_some_and(|(_, rest)| rest.len() >= 5)
+                    || cell.contains('°')
             };
             let exact = cells.iter().filter(has_decimals).count();
-            let is_degree = |cell: &String| cell.parse().is_ok_and(|n: f64| n.abs() <= most);
+            let letters = if most > 90.0 { ('E', 'W') } else { ('N', 'S') };
+            let is_degree = |cell: &String| {
+                let plain = without_o(cell, Some('E')).unwrap_or_default();
+                angle::degrees(&plain, letters).is_some_and(|n| n.abs() <= most)
+            };
             2 * exact >= cells.len().max(1) && cells.iter().all(is_degree)
         };
         if !are_degrees(x, 180.0) || !are_degrees(y, 90.0) {
@@ -332,7 +344,11 @@ impl CsvRow<'_> {
         let Some((column, cell)) = self.cell(role) else {
             return Ok(None);
         };
-        let plain = self.with_point(cell);
+        let mut plain = self.with_point(cell);
+        if role == CsvRole::Longitude {
+            plain = without_o(&plain, self.table.o_is)
+                .map_err(|cause| self.error(&column.name, &cause))?;
+        }
         let mut degrees = angle::degrees(&plain, letters)
             .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
         let is_latitude = role == CsvRole::Latitude;
@@ -376,7 +392,13 @@ impl CsvRow<'_> {
         let Some((column, word)) = self.cell(hemisphere) else {
             return Ok(Some(degrees));
         };
-        let letter = word.chars().next().map(|c| c.to_ascii_uppercase());
+        let word = if role == CsvRole::Longitude {
+            without_o(word, self.table.o_is).map_err(|cause| self.error(&column.name, &cause))?
+        } else {
+            word.to_owned()
+        };
+        let first = word.chars().next().map(|c| c.to_ascii_uppercase());
+        let letter = hemisphere_of(&word.to_lowercase()).or(first);
         let is_negative = match letter {
             Some(c) if c == letters.0 => false,
             Some(c) if c == letters.1 => true,

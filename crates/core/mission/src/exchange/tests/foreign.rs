@@ -338,6 +338,32 @@ fn hemispheres_in_columns_of_their_own_or_at_the_numbers_are_heeded() {
             "{text}"
         );
     }
+    // German and Romance words and letters.
+    for text in [
+        "Name;Breite;Länge\nBrunnen;33,85° S;18,42° W\n",
+        "nom;latitude;longitude\nPuits;33°51'00\"S;18°25'12\"O\n",
+        "Nombre;Latitud;Longitud\nPozo;33,85 S;18,42 O\n",
+        "name,lat,lon\nWell,33.85 S,18.42 O\nOther,33.85 S,18.42 O\nEast,33.85 S,0.0 E\n",
+        "name,lat,NS,lon,EW\nWell,33.85,Sud,18.42,Ouest\n",
+        "nom,lat,lat_h,lon,lon_h\nPuits,33.85,S,18.42,O\n",
+    ] {
+        let back = read_any("x.csv", text.as_bytes(), None).unwrap();
+        let first = back
+            .frame
+            .geodetic_from_ground(&back.landmarks[0].reference);
+        let (latitude, longitude) = (first.latitude.to_degrees(), first.longitude.to_degrees());
+        assert!((latitude + 33.85).abs() < 1e-9, "{text}: {latitude}");
+        assert!((longitude + 18.42).abs() < 1e-9, "{text}: {longitude}");
+    }
+    let east = "Name;Breite;Länge\nBrunnen;33°51'00\"S;18°25'12\"O\n";
+    let back = read_any("x.csv", east.as_bytes(), None).unwrap();
+    assert!((back.frame.origin.longitude.to_degrees() - 18.42).abs() < 1e-9);
+    let either = "name,lat,lon\nWell,33.85 S,18.42 O\n";
+    let error = read_any("x.csv", either.as_bytes(), None).unwrap_err();
+    assert!(
+        error.to_string().contains("east (Ost) or west (Ouest"),
+        "{error}"
+    );
     // Which way something faces is no hemisphere.
     let facing = "name,lat,lon,facing\nWell,33.85,18.42,S\n";
     let back = read_any("x.csv", facing.as_bytes(), None).unwrap();
