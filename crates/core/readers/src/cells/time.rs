@@ -2,7 +2,7 @@
 
 use super::date::{date_and_time, of_clock_number};
 use super::moment::Moment;
-use super::sample::ColumnSample;
+use super::sample::{ColumnSample, median};
 
 /// Units that a time may be in: seconds, parts of them, date and time, hours with minutes and seconds in one number, days,
 /// minutes, hours.
@@ -73,15 +73,27 @@ pub(crate) fn seconds_of(unit: &str, number: f64) -> f64 {
 }
 
 /// Whether numbers are hours, minutes and seconds without a seam: none has sixty of either, and rows of every few seconds
-/// leap from fifty-nine to the next hundred.
+/// leap from fifty-nine to the next hundred, which is a step as any other once they are read so. Where many leap, as between
+/// the places at which a long table is looked at, not each has to.
 fn are_of_clock(numbers: &[f64]) -> bool {
     let clocks: Option<Vec<f64>> = numbers.iter().map(|n| of_clock_number(*n)).collect();
     let Some(clocks) = clocks else { return false };
     let pairs = numbers.windows(2).zip(clocks.windows(2));
     let is_midnight = |raw: &[f64]| raw[0] >= 235_900.0 && (0.0..100.0).contains(&raw[1]);
+    let is_leap = |raw: &[f64], clock: &[f64]| {
+        is_midnight(raw) || (raw[1] - raw[0]) - (clock[1] - clock[0]) > 39.0
+    };
     let leaps = pairs
-        .filter(|(raw, clock)| is_midnight(raw) || (raw[1] - raw[0]) - (clock[1] - clock[0]) > 39.0)
+        .clone()
+        .filter(|(raw, clock)| is_leap(raw, clock))
         .count();
+    let usual = median(clocks.windows(2).map(|w| w[1] - w[0]).collect()).unwrap_or(0.0);
+    let is_closed = |raw: &[f64], clock: &[f64]| {
+        is_midnight(raw) || is_leap(raw, clock) && clock[1] - clock[0] < 10.0 * usual.max(1.0)
+    };
+    if leaps < 3 && !pairs.clone().any(|(raw, clock)| is_closed(raw, clock)) {
+        return false;
+    }
     // Rows of many seconds leap often, and evenly once they are read so.
     let is_even = || {
         let mut steps = clocks
@@ -212,6 +224,9 @@ mod tests {
             of((0..300).map(|i| f64::from(i) * 100.0).collect()),
             Some("ms")
         );
+        // A pause of seconds that begins and ends at whole hundreds is no minute.
+        let paused = (0..60).chain(1000..1060).map(f64::from);
+        assert_eq!(of(paused.collect()), Some("s"));
         let rare = (0..20).map(|i| clock(36_000 + 10 * i));
         assert_eq!(of(rare.collect()), Some(CLOCK));
         let dates = (36_000..36_300).map(|second| 20_240_513_000_000.0 + clock(second));
