@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::cells::Moment;
 use crate::cells::number;
-use crate::cells::{date_and_time, of_clock_number, shortened};
+use crate::cells::{date_and_time, median, of_clock_number, shortened};
 
 /// Format of a time column.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -108,6 +108,49 @@ pub(super) fn count_midnights<'a>(moments: impl Iterator<Item = &'a mut Moment>)
     }
 }
 
+/// Counts on where a counter of 16 to 32 bits begins anew, as those of microseconds do after 72 minutes: it goes back from
+/// less than three usual steps before its end to as little behind its beginning, which a restart does not.
+pub(super) fn count_on<'a>(moments: impl Iterator<Item = &'a mut Moment>, format: TimeFormat) {
+    let unit = match format {
+        TimeFormat::Milliseconds => 1e-3,
+        TimeFormat::Microseconds => 1e-6,
+        _ => return,
+    };
+    let mut times: Vec<&mut f64> = moments
+        .filter_map(|moment| match moment {
+            Moment::Relative(seconds) => Some(seconds),
+            Moment::Absolute(..) => None,
+        })
+        .collect();
+    let back: Vec<usize> = (1..times.len())
+        .filter(|i| *times[*i] < *times[*i - 1])
+        .collect();
+    if back.is_empty() {
+        return;
+    }
+    let most = times.iter().map(|time| **time).fold(0.0, f64::max);
+    let Some(length) = [16, 24, 32]
+        .into_iter()
+        .map(|bits| unit * 2_f64.powi(bits))
+        .find(|length| most < *length)
+    else {
+        return;
+    };
+    let steps = times.windows(2).map(|w| *w[1] - *w[0]);
+    let usual = median(steps.filter(|step| *step > 0.0).collect()).unwrap_or(0.0);
+    let near = 3.0 * usual;
+    let is_begun = |i: &usize| {
+        let (before, after) = (*times[*i - 1], *times[*i]);
+        after >= 0.0 && before > length - near && after < near && near < 0.1 * length
+    };
+    let begun: Vec<usize> = back.into_iter().filter(is_begun).collect();
+    for begin in begun {
+        for time in &mut times[begin..] {
+            **time += length;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,6 +163,32 @@ mod tests {
             Moment::Relative(_) => -1,
         });
         whole.collect()
+    }
+
+    fn counted_on(times: &[f64], format: TimeFormat) -> Vec<f64> {
+        let mut moments: Vec<_> = times.iter().map(|s| Moment::Relative(*s)).collect();
+        count_on(moments.iter_mut(), format);
+        moments.iter().map(|moment| moment.since(None)).collect()
+    }
+
+    #[test]
+    fn a_counter_that_is_full_goes_on_from_there_and_a_restart_does_not() {
+        for (format, length) in [
+            (TimeFormat::Microseconds, 4294.967_296),
+            (TimeFormat::Milliseconds, 65.536),
+            (TimeFormat::Milliseconds, 4_294_967.296),
+        ] {
+            let times: Vec<f64> = (0..40)
+                .map(|i| (length - 2.0 + 0.1 * f64::from(i)) % length)
+                .collect();
+            let found = counted_on(&times, format);
+            let is_even = found.windows(2).all(|w| (w[1] - w[0] - 0.1).abs() < 1e-6);
+            assert!(is_even, "{length}: {found:?}");
+        }
+        let restart: Vec<f64> = (0..40).map(|i| 0.1 * f64::from(i % 20)).collect();
+        assert_eq!(counted_on(&restart, TimeFormat::Milliseconds), restart);
+        let seconds = [4294.9, 0.1];
+        assert_eq!(counted_on(&seconds, TimeFormat::Seconds), seconds);
     }
 
     #[test]

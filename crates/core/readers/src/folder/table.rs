@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::bare_angles::with_degrees;
-use super::clock::count_midnights;
+use super::clock::{count_midnights, count_on};
 use super::error::FolderError;
 use super::hemispheres::with_signs;
 use super::layout::{TimeColumn, ValueColumn};
@@ -168,6 +168,7 @@ impl CsvTable {
         let moments = self.rows.iter().map(|(_, row)| moment(row));
         let mut moments: Vec<Option<Moment>> = moments.collect();
         count_midnights(moments.iter_mut().flatten());
+        count_on(moments.iter_mut().flatten(), map.format);
         let origin = moments.iter().flatten().find_map(|moment| match moment {
             Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
             Moment::Relative(_) => None,
@@ -266,6 +267,7 @@ impl CsvTable {
         });
         let mut moments: Vec<Moment> = moments.collect::<Result<_, _>>()?;
         count_midnights(moments.iter_mut());
+        count_on(moments.iter_mut(), map.format);
         Ok(moments)
     }
 
