@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use pilotage_core::exchange::{
     ExchangeError, Format, Imported, Places, write_landmarks, write_places,
 };
@@ -28,9 +28,9 @@ pub struct Arguments {
     /// Take only the landmarks.
     #[arg(long)]
     landmarks: bool,
-    /// Write the mission of a maker: `dji`, way-points as WPML in a .kmz, or `litchi`, way-points in a .csv.
-    #[arg(long = "as", value_name = "MAKER", conflicts_with = "landmarks")]
-    maker: Option<Maker>,
+    /// Write the mission of a maker, whose files have the extension of another format.
+    #[arg(long = "as", value_name = "MAKER", conflicts_with = "landmarks", value_parser = makers())]
+    maker: Option<String>,
 }
 
 /// Explanation of what is read, with the endings of all formats.
@@ -43,13 +43,16 @@ fn from_help() -> String {
     )
 }
 
-/// A maker whose missions have the extensions of other files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Maker {
-    /// WPML in a .kmz.
-    Dji,
-    /// Way-points in a .csv.
-    Litchi,
+/// Makers whose missions have the extensions of other files.
+fn makers() -> PossibleValuesParser {
+    let makers = Format::of_makers();
+    PossibleValuesParser::new(makers.map(|(maker, format)| {
+        PossibleValue::new(maker).help(format!(
+            "{} in a .{}",
+            format.name(),
+            format.extensions()[0]
+        ))
+    }))
 }
 
 /// Reads, chooses and writes; what was assumed or left out is told on the error stream.
@@ -60,16 +63,17 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     }
     let name = to.to_string_lossy();
     let named = Format::to_write(&name);
-    let of_maker = match (arguments.maker, named) {
-        (None, named) => named,
-        (Some(Maker::Dji), Some(Format::Kmz)) => Some(Format::Wpml),
-        (Some(Maker::Litchi), Some(Format::Csv)) => Some(Format::Litchi),
-        (Some(Maker::Dji), _) => return Err(format!("{name}: a mission of DJI is a .kmz").into()),
-        (Some(Maker::Litchi), _) => {
-            return Err(format!("{name}: a mission of Litchi is a .csv").into());
+    let maker = arguments.maker.as_deref();
+    let of_maker = maker.and_then(|maker| Format::of_makers().find(|(own, _)| *own == maker));
+    let of_maker = of_maker.map(|(_, format)| format);
+    if let Some(format) = of_maker {
+        let extension = format.extensions()[0];
+        if named.is_none_or(|named| named.extensions()[0] != extension) {
+            let what = format.as_words();
+            return Err(format!("{name}: the file of {what} is a .{extension}").into());
         }
-    };
-    let format = of_maker.ok_or_else(|| {
+    }
+    let format = of_maker.or(named).ok_or_else(|| {
         let known: Vec<_> = Format::told_by_extension()
             .map(|f| f.extensions()[0])
             .collect();
@@ -108,7 +112,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         leave_out_landmarks(&mut imported, &mut notes, "one route was asked for");
     } else if arguments.landmarks {
         imported.routes.clear();
-    } else if !imported.routes.is_empty() && !holds_both(format) {
+    } else if !imported.routes.is_empty() && !format.holds_both() {
         leave_out_landmarks(&mut imported, &mut notes, "--landmarks takes them alone");
     }
     if !format.holds_several_routes() && imported.routes.len() > 1 {
@@ -194,11 +198,6 @@ fn tell(file: &Path, notes: &[String]) {
 fn count(number: usize, what: &str) -> String {
     let ending = if number == 1 { "" } else { "s" };
     format!("{number} {what}{ending}")
-}
-
-/// Whether routes and landmarks go into one file.
-fn holds_both(format: Format) -> bool {
-    format.holds_landmarks() && format != Format::Csv
 }
 
 fn leave_out_landmarks(imported: &mut Imported, notes: &mut Vec<String>, why: &str) {

@@ -92,7 +92,7 @@ pub fn imports(
             found.push(roads_of(name, &bytes, &LocalFrame::new(origin))?);
             continue;
         }
-        if !is_exchange(&name, &bytes) {
+        if !Format::is_expected_in(&name, &bytes) {
             continue;
         }
         match read_exchange(&name, &bytes, Some(LocalFrame::new(origin))) {
@@ -125,17 +125,6 @@ pub fn labels(files: &dyn FileSet) -> Result<Option<(LabelFormat, FoundLabels)>,
         all.add(found);
     }
     Ok(all)
-}
-
-/// Whether plain text or JSON, which may be anything, is what its name leaves open.
-fn is_exchange(name: &str, bytes: &[u8]) -> bool {
-    match Format::of(name, bytes) {
-        Some(Format::GeoJson) => contains(bytes, b"\"FeatureCollection\""),
-        Some(Format::Csv) => !has_ending(name, &["txt"]),
-        Some(Format::Waypoints) => bytes.starts_with(b"QGC WPL") || !has_ending(name, &["txt"]),
-        Some(_) => true,
-        None => !has_ending(name, &["txt", "json"]),
-    }
 }
 
 fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
@@ -200,6 +189,25 @@ mod tests {
             (first.north - 111.2).abs() < 0.3 && first.east.abs() < 1e-6,
             "{first:?}"
         );
+    }
+
+    #[test]
+    fn what_may_be_anything_is_read_where_its_words_or_its_name_say_that_it_is_of_places() {
+        let point = "{\"type\": \"Feature\", \"properties\": {\"name\": \"barn\"},\
+            \"geometry\": {\"type\": \"Point\", \"coordinates\": [8.0, 47.0]}}";
+        assert_eq!(look("barn.geojson", point, 47.0).unwrap().len(), 1);
+        for (name, text) in [
+            ("barn.json", point),
+            ("numbers.json", "[47.0, 8.0, 400]\n[47.1, 8.0, 400]\n"),
+            (
+                "letter.txt",
+                "Dear Sir, the map\nis, as you said, too small.\n",
+            ),
+        ] {
+            assert_eq!(look(name, text, 47.0).unwrap().len(), 0, "{name}");
+        }
+        let found = look("trip.txt", WAY_POINTS, 47.0).unwrap();
+        assert_eq!(found.len(), 1);
     }
 
     #[test]

@@ -52,11 +52,10 @@ fn commands() -> Vec<CommandEntry> {
         let label = label(BarMenu::ExportTrack, format);
         (label, ExportCommand::Track(format))
     });
-    let rally = format!(
-        "Export the rally points as {}",
-        Format::Waypoints.as_words()
-    );
-    let rally = std::iter::once((rally, ExportCommand::Rally));
+    let rally = Format::of_rally_alone().map(|format| {
+        let label = format!("Export the rally points as {}", format.as_words());
+        (label, ExportCommand::Rally)
+    });
     let all = own.into_iter().chain(routes).chain(rally);
     let all = all.chain(landmarks).chain(tracks);
     all.map(|(label, command)| {
@@ -144,7 +143,7 @@ impl Feature for ExportsFeature {
             }
             ExportCommand::Route(format) => route_file(*format, context),
             ExportCommand::Landmarks(format) => Some(landmarks_file(*format, context)),
-            ExportCommand::Rally => Some(rally_file(context)),
+            ExportCommand::Rally => rally_file(context),
             ExportCommand::Track(format) => track_file(*format, context),
             ExportCommand::File(made) => Some(made.as_ref().clone()),
         };

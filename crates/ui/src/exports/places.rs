@@ -54,9 +54,9 @@ pub(super) fn landmarks_file(
 }
 
 /// File of all rally points, and how it is made.
-pub(super) fn rally_file(context: &FeatureContext<'_>) -> (ExportedFile, ExportOrder) {
+pub(super) fn rally_file(context: &FeatureContext<'_>) -> Option<(ExportedFile, ExportOrder)> {
     let mission = &context.documents.mission;
-    let format = Format::Waypoints;
+    let format = Format::of_rally_alone()?;
     let (name, extension) = (stem(&mission.name), format.extensions()[0]);
     let file = ExportedFile {
         what: "Rally points".to_owned(),
@@ -71,5 +71,5 @@ pub(super) fn rally_file(context: &FeatureContext<'_>) -> (ExportedFile, ExportO
         landmarks: Vec::new(),
         origin: mission.origin,
     };
-    (file, order)
+    Some((file, order))
 }

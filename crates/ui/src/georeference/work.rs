@@ -18,9 +18,6 @@ use crate::map::{TILES_AT_A_TIME, TileKey};
 use crate::shell::counted;
 use pilotage_core::flight::files::has_ending;
 
-/// Endings that formats of routes and landmarks share with too much else to be taken for named places.
-const OF_ANYTHING: [&str; 2] = ["json", "txt"];
-
 /// Side of the largest map that is shown whole beside a picture, metres.
 const LARGEST_SHOWN: f64 = 20_000.0;
 
@@ -190,10 +187,8 @@ impl GeoreferencerFeature {
         let paths = set.files.iter().map(|file| &file.path);
         let is_known = paths.eq(&std::mem::take(&mut self.without_places));
         let mut files = set.files.iter();
-        let has_places = !is_known
-            && files.all(|file| {
-                Format::is_extension_of_one(&file.path) && !has_ending(&file.path, &OF_ANYTHING)
-            });
+        let has_places =
+            !is_known && files.all(|file| Format::is_extension_of_formats_alone(&file.path));
         if has_places {
             provide(context.host, &set.key, &set.files);
             let key = set.key.clone();

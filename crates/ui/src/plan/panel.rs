@@ -187,9 +187,10 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
                 .push(Command::from(PlanCommand::PrintBrief));
             ui.close();
         }
-        if !context.mission.rally.is_empty() {
+        let of_rally = Format::of_rally_alone().filter(|_| !context.mission.rally.is_empty());
+        if let Some(format) = of_rally {
             caption(ui, tokens, "Rally points");
-            let words = Format::Waypoints.as_words();
+            let words = format.as_words();
             let name = format!("Export the rally points as {words}");
             if ui.button(in_menu(words)).accessible_name(name).clicked() {
                 context.commands.push(ExportCommand::Rally.into());

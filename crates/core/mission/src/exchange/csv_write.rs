@@ -4,17 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
-use super::complex::COMPLEX;
+use super::csv_rows::{of_routes_left_out, quoted};
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read, TrackWork};
-use super::item_route::{FIRST, RETURN};
 use super::written::WrittenFile;
-use super::{ExchangeError, Format, csv_read, fence, flown_text, rally, waypoints};
+use super::{ExchangeError, Format, csv_read, fence, flown_text, rally};
 use crate::mission::way_point_file::{StatedCircles, action_word, frame_word};
-use crate::mission::{FEATURE_MEMBER, HOME, Route, WayPoint, degrees, globe};
+use crate::mission::{FEATURE_MEMBER, Route, WayPoint, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
-use pilotage_base::text::in_quotes;
 use pilotage_vision::landmark::Landmark;
 
 /// The format.
@@ -22,8 +20,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "CSV",
     as_words: "CSV",
     extensions: &["csv", "tsv"],
-    is_told_by_extension: true,
-    is_mission: false,
+    anybodys: &[],
+    maker: None,
+    together: HeldTogether::Either,
     holds_tracks: true,
     beside: HeldBeside::Nothing,
 };
@@ -69,33 +68,6 @@ pub(super) const WORK: FormatWork = FormatWork {
         undated: None,
     }),
 };
-
-/// That rows of way-points have no room for what routes say beside them, if they do.
-pub(super) fn of_routes_left_out(routes: &[Route]) -> Vec<String> {
-    let first = |route: &Route| -> usize {
-        let list = route.properties.get(FIRST);
-        let list: Option<Vec<Value>> = list.and_then(|text| serde_json::from_str(text).ok());
-        list.map_or(0, |list| list.len())
-    };
-    let commands: usize = routes.iter().map(first).sum();
-    let has = |name: &str| routes.iter().any(|r| r.properties.contains_key(name));
-    let told = [FIRST, HOME, COMPLEX, RETURN, waypoints::OWN];
-    let is_more = |name: &String| !told.contains(&name.as_str());
-    let has_more = routes.iter().any(|r| r.properties.keys().any(is_more));
-    let mut notes = Vec::new();
-    let mut tell = |is_there: bool, what: String| {
-        notes.extend(is_there.then(|| format!("{what} left out: rows are way-points")));
-    };
-    tell(has(HOME), "the home position is".to_owned());
-    let before = format!("{commands} × command before the first way-point is");
-    tell(commands > 0, before);
-    tell(
-        has(COMPLEX),
-        "the item of a survey or the like is".to_owned(),
-    );
-    tell(has_more, "other properties of the route are".to_owned());
-    notes
-}
 
 /// Way-points of routes, one a row.
 pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {
@@ -238,13 +210,5 @@ impl CsvTableWriter {
 
     fn finish(self) -> String {
         self.text
-    }
-}
-
-pub(super) fn quoted(cell: &str) -> String {
-    if cell.contains([',', ';', '\t', '"', '\n', '\r']) || cell.trim() != cell {
-        in_quotes(cell)
-    } else {
-        cell.to_owned()
     }
 }

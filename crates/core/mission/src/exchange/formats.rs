@@ -1,7 +1,7 @@
 //! Questions of people and programs to a format; the table of all is in `mod.rs`.
 
 use super::Format;
-use super::format_info::HeldBeside;
+use super::format_info::{HeldBeside, HeldTogether};
 
 /// Declares the files of the formats, and makes their enum, in the order in which people are offered them. Descriptions
 /// and works are asked for apart: what only names formats links no reader.
@@ -48,7 +48,31 @@ const ONLY_READ: [&str; 3] = ["mission", "wpml", "lnmpln"];
 impl Format {
     /// Formats that the extension of a file's name tells, in that order: those of makers have extensions of others.
     pub fn told_by_extension() -> impl Iterator<Item = Self> {
-        Self::all().filter(|format| format.info().is_told_by_extension)
+        Self::all().filter(|format| format.info().maker.is_none())
+    }
+
+    /// Makers whose missions have the extensions of other formats, as people name them to programs, each with its format.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// let makers: Vec<_> = Format::of_makers().map(|(maker, _)| maker).collect();
+    /// assert_eq!(makers, ["dji", "litchi"]);
+    /// ```
+    pub fn of_makers() -> impl Iterator<Item = (&'static str, Self)> {
+        Self::all().filter_map(|format| Some((format.info().maker?, format)))
+    }
+
+    /// The format that holds rally points in a file of their own.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// let format = Format::of_rally_alone().map(Format::name);
+    /// assert_eq!(format, Some("QGC WPL 110"));
+    /// ```
+    pub fn of_rally_alone() -> Option<Self> {
+        Self::all().find(|format| format.info().beside == HeldBeside::RallyAlone)
     }
 
     /// Words for a file of the format, as in "save the route as …".
@@ -99,14 +123,32 @@ impl Format {
         Self::all().any(|format| format.info().has_extension(name))
     }
 
+    /// Whether the extension of a file's name is one of any format, and not one that files of anything have.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// assert!(Format::is_extension_of_formats_alone("out.waypoints"));
+    /// assert!(!Format::is_extension_of_formats_alone("notes.txt"));
+    /// ```
+    pub fn is_extension_of_formats_alone(name: &str) -> bool {
+        let mut all = Self::all().map(Self::info);
+        Self::is_extension_of_one(name) && !all.any(|info| info.has_extension_of_anybody(name))
+    }
+
     /// Whether it holds landmarks; all formats hold routes.
     pub fn holds_landmarks(self) -> bool {
-        !self.info().is_mission
+        self.info().together != HeldTogether::Mission
     }
 
     /// Whether it holds more than one route.
     pub fn holds_several_routes(self) -> bool {
-        !self.info().is_mission
+        self.info().together != HeldTogether::Mission
+    }
+
+    /// Whether one file holds routes and landmarks.
+    pub fn holds_both(self) -> bool {
+        self.info().together == HeldTogether::Both
     }
 
     /// Whether it holds a flown track.

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::fence::{CIRCLE_CORNERS, circle_corners};
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
@@ -27,8 +27,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "GeoJSON",
     as_words: "GeoJSON",
     extensions: &["geojson", "json"],
-    is_told_by_extension: true,
-    is_mission: false,
+    anybodys: &["json"],
+    maker: None,
+    together: HeldTogether::Both,
     holds_tracks: true,
     beside: HeldBeside::AreasAndRally,
 };
@@ -36,6 +37,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 /// Any JSON that is nobody else's.
 fn claims(look: &FileLook<'_>) -> Claim {
     match look.form {
+        FileForm::Json if look.has(b"\"FeatureCollection\"") => Claim::Likely,
         FileForm::Json => Claim::Possible,
         _ => look.named_text(&INFO),
     }

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::embedded::{self, EmbeddedItem};
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
@@ -24,8 +24,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "GPX",
     as_words: "GPX",
     extensions: &["gpx", "lnmpln"],
-    is_told_by_extension: true,
-    is_mission: false,
+    anybodys: &[],
+    maker: None,
+    together: HeldTogether::Both,
     holds_tracks: true,
     beside: HeldBeside::Rally,
 };

@@ -33,6 +33,8 @@ pub(super) const OVER_GROUND: &str =
     "the speeds are over ground; the prediction takes them for airspeeds";
 /// Property of a route: the return to launch at its end, as the file had it.
 pub(super) const RETURN: &str = "mavlink_return";
+/// Property of a route: what only a file of way-points says of it.
+pub(super) const WPL: &str = "wpl";
 /// Placeholder among kept commands for the change of speed in files of earlier versions; now its own command
 /// stands there, in an object of one member of that name.
 pub(super) const SPEED_PLACE: &str = "\"speed\"";

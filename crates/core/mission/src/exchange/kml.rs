@@ -1,23 +1,20 @@
 //! The format KML.
 
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read, TrackWork};
-use super::kml_write::write;
+use super::kml_write::{UNDATED, write};
 use super::written::WrittenFile;
 use super::{flown_kml, kml_read};
-
-/// Note of a flown track without a date.
-pub(super) const UNDATED: &str =
-    "the date is not known: times are counted from 1970-01-01T00:00:00Z";
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
     name: "KML",
     as_words: "KML",
     extensions: &["kml"],
-    is_told_by_extension: true,
-    is_mission: false,
+    anybodys: &[],
+    maker: None,
+    together: HeldTogether::Both,
     holds_tracks: true,
     beside: HeldBeside::AreasAndRally,
 };

@@ -14,6 +14,10 @@ use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_base::text::without_markup;
 
+/// Note of a flown track without a date.
+pub(super) const UNDATED: &str =
+    "the date is not known: times are counted from 1970-01-01T00:00:00Z";
+
 /// Routes as lines, landmarks and no-fly areas as polygons, rally points as points.
 pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>) {
     let Places {

@@ -1,10 +1,9 @@
 //! The format KMZ: KML, zipped.
 
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read, TrackWork};
-use super::kml::UNDATED;
-use super::kml_write::{pack, write};
+use super::kml_write::{UNDATED, pack, write};
 use super::written::WrittenFile;
 use super::{flown_kml, kml_read};
 
@@ -13,8 +12,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "KMZ",
     as_words: "KMZ",
     extensions: &["kmz"],
-    is_told_by_extension: true,
-    is_mission: false,
+    anybodys: &[],
+    maker: None,
+    together: HeldTogether::Both,
     holds_tracks: true,
     beside: HeldBeside::AreasAndRally,
 };

@@ -2,9 +2,9 @@
 //! read, or say nothing.
 
 use super::air_altitudes::altitudes_in_the_air;
-use super::csv_write::{of_routes_left_out, quoted};
+use super::csv_rows::{of_routes_left_out, quoted};
 use super::file_look::Claim;
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read};
 use super::item_route::GROUND_SPEED;
 use super::litchi_actions::{ACTIONS, actions, in_feet, kept, legs_of_speeds};
@@ -18,8 +18,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "Litchi CSV",
     as_words: "a Litchi table (CSV)",
     extensions: &["csv"],
-    is_told_by_extension: false,
-    is_mission: true,
+    anybodys: &[],
+    maker: Some("litchi"),
+    together: HeldTogether::Mission,
     holds_tracks: false,
     beside: HeldBeside::Nothing,
 };

@@ -20,6 +20,7 @@ mod csv_named;
 mod csv_place;
 mod csv_preface;
 mod csv_read;
+mod csv_rows;
 mod csv_system;
 mod csv_table;
 mod csv_utm;

@@ -4,7 +4,7 @@
 use serde_json::{Map, Value, json};
 
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::written::WrittenFile;
@@ -15,8 +15,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "QGroundControl plan",
     as_words: "a QGroundControl plan",
     extensions: &["plan", "mission"],
-    is_told_by_extension: true,
-    is_mission: true,
+    anybodys: &[],
+    maker: None,
+    together: HeldTogether::Mission,
     holds_tracks: false,
     beside: HeldBeside::AreasAndRally,
 };

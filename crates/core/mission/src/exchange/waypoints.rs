@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use super::fence::{self, is_fence};
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::item::{JUMP, MissionItem, WAY_POINT, counted, may_leave_heading};
-use super::item_route::{Home, MissionStep, route_of};
+use super::item_route::{Home, MissionStep, WPL, route_of};
 use super::rally::{self, RALLY_POINT};
 use super::route_items::{RouteStep, home_of, steps_of};
 use super::written::WrittenFile;
@@ -27,8 +27,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "QGC WPL 110",
     as_words: "way-points (QGC WPL)",
     extensions: &["waypoints", "wpl", "txt"],
-    is_told_by_extension: true,
-    is_mission: true,
+    anybodys: &["txt"],
+    maker: None,
+    together: HeldTogether::Mission,
     holds_tracks: false,
     beside: HeldBeside::RallyAlone,
 };
@@ -61,8 +62,6 @@ const HEADER: &str = "QGC WPL";
 const VERSION: &str = "110";
 /// Versions that are read; they differ in nothing but their number.
 const VERSIONS: [&str; 2] = [VERSION, "120"];
-/// Property of a route: what only such a file says of it.
-pub(super) const OWN: &str = "wpl";
 
 /// A line of the file.
 struct WaypointLine {
@@ -178,7 +177,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     );
     // Numbers and texts always have a JSON form.
     if let Ok(own) = serde_json::to_string(&own) {
-        route.properties.insert(OWN.to_owned(), own);
+        route.properties.insert(WPL.to_owned(), own);
     }
     notes.extend(more);
     let no_way_point = route.way_points.is_empty();
@@ -339,7 +338,7 @@ pub(super) fn write(
 ) -> (String, Vec<String>) {
     let own: Option<WaypointFile> = route
         .properties
-        .get(OWN)
+        .get(WPL)
         .and_then(|text| serde_json::from_str(text).ok());
     let mut notes = Vec::new();
     let mut left_out = Vec::new();

@@ -1,7 +1,7 @@
 //! The format WPML.
 
 use super::file_look::{Claim, FileForm, FileLook};
-use super::format_info::{FormatInfo, HeldBeside};
+use super::format_info::{FormatInfo, HeldBeside, HeldTogether};
 use super::format_work::{FormatWork, Read};
 use super::wpml::{NAME, is_text, is_zip, read, write};
 use super::written::WrittenFile;
@@ -12,8 +12,9 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: NAME,
     as_words: "a DJI mission (WPML)",
     extensions: &["kmz", "wpml"],
-    is_told_by_extension: false,
-    is_mission: true,
+    anybodys: &[],
+    maker: Some("dji"),
+    together: HeldTogether::Mission,
     holds_tracks: false,
     beside: HeldBeside::Nothing,
 };

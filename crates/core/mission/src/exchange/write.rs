@@ -60,8 +60,9 @@ pub fn write_places(
         rally,
         ..
     } = *places;
-    let is_rally_alone =
-        format == Format::Waypoints && routes.is_empty() && rally.is_some_and(|r| !r.is_empty());
+    let is_rally_alone = Some(format) == Format::of_rally_alone()
+        && routes.is_empty()
+        && rally.is_some_and(|r| !r.is_empty());
     let cannot_hold = |what: String, advice| ExchangeError::CannotHold {
         format: format.name(),
         what,
