@@ -5,6 +5,7 @@
 mod crossing;
 mod detection;
 mod distance;
+mod following;
 pub mod network;
 mod north_up;
 mod probability;
@@ -14,10 +15,11 @@ mod trace;
 pub mod yellow;
 
 pub use detection::RoadDetection;
+pub use following::{NotFollowed, RoadFollowing, RoadOnGround};
 pub use north_up::NorthUpPicture;
 pub use probability::{
     COARSEST_SEEN, RoadProbability, SEEN_GSD, probability_by, road_probability, roads_seen,
 };
 pub use ridge::road_mask;
 pub use seen::{RoadPoint, RoadsSeen, SeenCrossing};
-pub use trace::trace;
+pub use trace::{RoadTrace, TracedRoad};

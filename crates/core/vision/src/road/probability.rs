@@ -73,6 +73,11 @@ impl RoadProbability {
         road_mask(&self.probability, LIKELY, SURE)
     }
 
+    /// Pixels of the probability along a pixel of the picture, whatever the direction.
+    pub(super) fn mean_scale(&self) -> f64 {
+        (self.scale[0] * self.scale[1]).sqrt()
+    }
+
     /// Points of the centre lines and crossings, in pixels of the picture.
     pub fn roads(&self) -> RoadsSeen {
         let body = RoadBody::new(self.mask());
@@ -81,7 +86,7 @@ impl RoadProbability {
         let [sx, sy] = self.scale;
         for point in &mut points {
             point.pixel = [point.pixel[0] / sx, point.pixel[1] / sy];
-            point.width /= (sx * sy).sqrt();
+            point.width /= self.mean_scale();
         }
         for crossing in &mut crossings {
             crossing.pixel = [crossing.pixel[0] / sx, crossing.pixel[1] / sy];

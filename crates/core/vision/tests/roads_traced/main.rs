@@ -3,6 +3,7 @@
 //! The everyday run looks at one of them; `PILOTAGE_STUDIES=1 cargo test -p pilotage-vision --test roads_traced --
 //! --nocapture` prints the tables of docs/results.md. Nothing here may be trained or tuned on.
 
+mod along;
 mod calibration;
 mod sites;
 #[path = "../../../../../tests/src/studies.rs"]
