@@ -44,6 +44,8 @@ pub(super) const SHAPE: &str =
     "save its layer as GeoJSON (QGIS, `ogr2ogr out.geojson in.shp`) and open that";
 pub(super) const ROADS: &str = "import it: `pilotage roads import`";
 pub(super) const LABELS: &str = "export them as COCO or Pascal VOC and open those";
+pub(super) const GRID: &str = "make a GeoTIFF of it (`gdal_translate`) and open that";
+pub(super) const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open that";
 pub(super) const AGAIN: &str = "copy it again from where it comes from";
 
 /// Bytes of a file's beginning and end in which archives and databases tell what is in them.

@@ -1,10 +1,12 @@
 //! Files that are no flight here, named for what they are by their content, and what to do with them.
 //!
 //! A new kind is a row: of `signatures` where bytes at a place tell it, of `words` where words of its text do, of
-//! `archives` where names within do (zips, databases, old documents of Office, films).
+//! `archives` where names within do (zips, databases, old documents of Office, films), of `endings` where nothing in it does.
 
 mod archives;
+mod endings;
 mod kind;
+mod receivers;
 mod shapes;
 mod signatures;
 mod words;
@@ -16,15 +18,17 @@ use kind::{AGAIN, kind};
 
 pub use kind::Foreign;
 
-/// Kind of a file by its content; `None` where nothing tells. Its name is not asked.
+/// Kind of a file by its content, or by the ending of its name where nothing in such files tells; `None` where neither does.
 pub fn foreign_file(source: &dyn ByteSource) -> Option<Foreign> {
     let length = source.length();
     let head = source.read(0, (HEAD as u64).min(length) as usize).ok()?;
-    archives::within(&head, source).or_else(|| of_beginning(&head, length))
+    archives::within(&head, source)
+        .or_else(|| of_beginning(&head, length))
+        .or_else(|| endings::of(source.name(), &head))
 }
 
 /// Kind of the file that begins with `head` ([`HEAD`] bytes of it are enough) and has `length` bytes; `None` where nothing
-/// tells. Its name is not asked.
+/// tells.
 fn of_beginning(head: &[u8], length: u64) -> Option<Foreign> {
     if length == 0 {
         return Some(kind("an empty file", AGAIN));
@@ -138,6 +142,20 @@ mod tests {
             (b"DSBB\x02\0".to_vec(), "Surfer"),
             (b"\0\0\0\x0d\x0a\x09OSMHeader\x18".to_vec(), "OpenStreetMap"),
             (b"AC W\nAN WAVE\nAL FL100\nAH FL195\n".to_vec(), "OpenAir"),
+            (
+                b"NROWS 4\nNCOLS 4\nNBITS 8\nBYTEORDER I\nLAYOUT BIL\n".to_vec(),
+                "header of a grid",
+            ),
+            (
+                b"OTTAWA W, ON".iter().copied().chain([b' '; 132]).chain(*b"     1     1     0     0   0.0").collect(),
+                "USGS",
+            ),
+            (b"v 1.0 2.0 3.0\nv 1 1 1\nv 3 2 1\nf 1 2 3\n".to_vec(), "OBJ"),
+            (b"\x0e\x03\x13\x01\0".to_vec(), "HDF 4"),
+            (
+                [&[7; 80][..], &1_u32.to_le_bytes(), &[3; 50]].concat(),
+                "STL",
+            ),
             (Vec::new(), "empty"),
             (vec![0; 64], "zeros"),
         ] {

@@ -1,6 +1,9 @@
 //! Files that no fixed bytes or words tell, but the shape of their contents.
 
-use super::kind::{CONVERT, Foreign, LOG, OTHER_FILM, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{
+    CONVERT, Foreign, GRID, LOG, MODEL, OTHER_FILM, RECEIVER, TO_CSV, TO_GEOJSON, kind,
+};
+use super::receivers::{is_sbp, is_ubx};
 use super::words::PARAMETERS;
 
 /// Shape of bytes or of lines, and the kind that they are then.
@@ -56,6 +59,16 @@ pub(super) fn of_bytes(head: &[u8], length: u64) -> Option<Foreign> {
             ),
         ),
         (is_drawing, kind("a drawing of AutoCAD (DWG)", TO_GEOJSON)),
+        (
+            is_ubx,
+            kind("a recording of a u-blox receiver (UBX)", RECEIVER),
+        ),
+        (
+            is_sbp,
+            kind("a recording of a Swift receiver (SBP)", SBP_ADVICE),
+        ),
+        (is_usgs, kind("heights of the ground (USGS .dem)", GRID)),
+        (is_stl, kind("a model (STL)", MODEL)),
     ];
     bytes
         .iter()
@@ -63,6 +76,7 @@ pub(super) fn of_bytes(head: &[u8], length: u64) -> Option<Foreign> {
         .map(|(_, is)| *is)
 }
 
+const SBP_ADVICE: &str = "make a CSV of it (Swift Console, `sbp2json`) with time, latitude, longitude and height, and open that";
 const DJI: &str =
     "it is encrypted: make a CSV of it (AirData, or DatCon and TXTlogToCSVtool) and open that";
 
@@ -78,6 +92,7 @@ pub(super) fn of_text(text: &str) -> Option<Foreign> {
             kind("rally points of ArduPilot (.ral)", CONVERT),
         ),
         (are_fence, kind("a fence of ArduPilot (.fen)", CONVERT)),
+        (are_faces, kind("a model (OBJ)", MODEL)),
         (
             is_world_file,
             kind(
@@ -231,6 +246,34 @@ fn are_tomtom_places(head: &[u8], length: u64) -> bool {
     count > 0
 }
 
+/// The name of its map in letters, then level, pattern, system and zone as four numbers of six letters each (USGS Standards
+/// for Digital Elevation Models, record A).
+fn is_usgs(head: &[u8], _: u64) -> bool {
+    let number = |at: usize| -> Option<i64> {
+        let text = std::str::from_utf8(head.get(at..at + 6)?).ok()?;
+        text.trim().parse().ok()
+    };
+    let is_text = head
+        .get(..144)
+        .is_some_and(|text| text.iter().all(|b| (b' '..=b'~').contains(b)));
+    let [level, pattern, system, zone] = [144, 150, 156, 162].map(number);
+    let is_in = |value: Option<i64>, range: std::ops::RangeInclusive<i64>| {
+        value.is_some_and(|value| range.contains(&value))
+    };
+    is_text
+        && is_in(level, 1..=4)
+        && is_in(pattern, 1..=2)
+        && is_in(system, 0..=20)
+        && zone.is_some()
+}
+
+/// Eighty bytes of anything, a number of triangles, and as many of fifty bytes.
+fn is_stl(head: &[u8], length: u64) -> bool {
+    let count = head.get(80..84).and_then(|bytes| bytes.first_chunk());
+    let count = count.map(|bytes| u64::from(u32::from_le_bytes(*bytes)));
+    count.is_some_and(|count| count > 0 && 84 + 50 * count == length)
+}
+
 fn is_drawing(head: &[u8], _: u64) -> bool {
     has(head, 0, b"AC10")
         && head
@@ -327,6 +370,20 @@ fn are_survey_points(lines: &[&str]) -> bool {
         is_of_grid(east) && is_of_grid(north) && number(height).is_some() && number(code).is_none()
     };
     lines.len() > 1 && lines.iter().all(is_point)
+}
+
+/// Corners and faces of a model: letters that say which, numbers behind them.
+fn are_faces(lines: &[&str]) -> bool {
+    let words = ["v", "vn", "vt", "f", "o", "g", "s", "usemtl"];
+    let first = |line: &&str| {
+        line.split_whitespace()
+            .next()
+            .unwrap_or_default()
+            .to_owned()
+    };
+    let firsts: Vec<String> = lines.iter().map(first).collect();
+    let is_there = |word: &str| firsts.iter().any(|first| first == word);
+    is_there("v") && firsts.iter().all(|first| words.contains(&first.as_str()))
 }
 
 fn are_rally_points(lines: &[&str]) -> bool {

@@ -1,8 +1,8 @@
 //! Bytes at a place that tell what a file is, one kind a line.
 
 use super::kind::{
-    CONVERT, FILM, Foreign, JPEG, LOG, MODEL, OTHER_FILM, PHOTO, ROADS, SHAPE, TO_CSV, TO_GEOJSON,
-    TO_MCAP, UNPACK, kind,
+    CONVERT, FILM, Foreign, GRID, JPEG, LOG, MODEL, OTHER_FILM, PHOTO, RECEIVER, ROADS, SHAPE,
+    TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
 };
 
 /// Bytes at a place of a file that tell what it is.
@@ -57,11 +57,9 @@ const fn behind(
 const DECRYPT: &str = "decrypt it with the private key of its aircraft (PX4's Tools/decrypt_ulog.py) and open the .ulg";
 const DECODE: &str = "make a table of it (`blackbox_decode file`) and open the CSV";
 const CARD: &str = "copy it again from the aircraft, if it is still there";
-const GRID: &str = "make a GeoTIFF of it (`gdal_translate`) and open that";
 const CLOUD: &str = "points of a laser are not read: make a GeoTIFF of their heights (PDAL, QGIS) and open that as a map";
-const TO_MAT: &str = "save it with `save('file.mat', '-v7')`, or its tables as CSV, and open that";
+const TO_MAT: &str = "save it with `save('file.mat', '-v7')`, or its tables as CSV, and open that; of a grid (NetCDF 4) make a GeoTIFF (`gdal_translate`)";
 const NETWORK: &str = "open the telemetry log that the ground station wrote";
-const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open that";
 const GPX_OF: &str = "make a GPX or CSV of it (gpsbabel) and open that";
 const CORRECTIONS: &str = "open the log of the aircraft, or what the receiver recorded";
 const FDR: &str = "keep its DATA rows under a row of their names as CSV and open that";
@@ -161,7 +159,7 @@ const MARKS: &[FileSignature] = &[
     mark(b"ARROW1", "a table of Arrow (Feather)", TO_CSV),
     mark(b"FEA1", "a table of Arrow (Feather)", TO_CSV),
     mark(b"Obj\x01", "a table (Avro)", TO_CSV),
-    mark(b"\x89HDF\r\n\x1a\n", "an HDF5 file, as MATLAB 7.3 writes them", TO_MAT),
+    mark(b"\x89HDF\r\n\x1a\n", "an HDF5 file, as MATLAB 7.3 and NetCDF 4 write them", TO_MAT),
     mark_at(512, b"\x89HDF\r\n\x1a\n", "a file of MATLAB 7.3 (HDF5)", TO_MAT),
     mark(b"\x93NUMPY", "an array of NumPy", TO_CSV),
     mark(&[0x80, 4, 0x95], "objects of Python (pickle)", TO_CSV),
@@ -174,6 +172,8 @@ const MARKS: &[FileSignature] = &[
     mark(b"CDF\x01", "a grid of NetCDF", GRID),
     mark(b"CDF\x02", "a grid of NetCDF", GRID),
     mark(b"CDF\x05", "a grid of NetCDF", GRID),
+    mark(&[0x0e, 3, 0x13, 1], "a grid of HDF 4", GRID),
+    mark(b"UHL1", "heights of the ground (DTED)", GRID),
     mark(b"EHFA_HEADER_TAG", "a map of ERDAS Imagine (.img)", GRID),
     mark(b"msid", "a map of MrSID (.sid)", GRID),
     mark(b"NITF0", "a picture of NITF (.ntf)", GRID),
@@ -192,6 +192,7 @@ const MARKS: &[FileSignature] = &[
     mark(b"ply\n", "a model or cloud of points (PLY)", CLOUD),
     mark(b"ply\r\n", "a model or cloud of points (PLY)", CLOUD),
     mark(b"# .PCD v", "a cloud of points (PCD)", CLOUD),
+    mark(b"solid ", "a model (STL)", MODEL),
     mark(b"glTF", "a model (glTF)", MODEL),
     mark(b"Kaydara FBX", "a model (FBX)", MODEL),
     mark(b"BLENDER", "a model (Blender)", MODEL),

@@ -75,6 +75,8 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\noziexplorer track", "a track of OziExplorer (.plt)", "no two points with a time could be read in it"),
     word("\noziexplorer waypoint", "way-points of OziExplorer (.wpt)", CONVERT),
     word("\noziexplorer ", "places or tracks of OziExplorer", "make a GPX of it (gpsbabel -i ozi) and open that"),
+    word("\nbyteorder ", "the header of a grid of bare samples (.hdr)", "make a GeoTIFF of the grid beside it (`gdal_translate`) and open that"),
+    word("\nbyteorder\t", "the header of a grid of bare samples (.hdr)", "make a GeoTIFF of the grid beside it (`gdal_translate`) and open that"),
     word("\nncols ", "a grid of heights as text (Esri ASCII, .asc)", "open it as .asc beside a map or a flight, or look at it with `pilotage map info`"),
     word("\ngeogcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
     word("\nprojcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
