@@ -69,11 +69,7 @@ pub fn flight_of_tables(
             notes.push(untimed(&map.file, dropped));
         }
         match table.spread_rows(&time) {
-            Ok(true) => notes.push(format!(
-                "{}: its clock is coarser than its rows: those of one time are spread until it goes on",
-                map.file
-            )),
-            Ok(false) => {}
+            Ok(told) => notes.extend(told.iter().map(|note| format!("{}: {note}", map.file))),
             Err(cause) => {
                 // Other tables may be of the flight.
                 notes.push(format!("{cause}; the table was left out"));

@@ -7,17 +7,14 @@ use super::clock::{count_midnights, count_on};
 use super::error::FolderError;
 use super::hemispheres::with_signs;
 use super::layout::{TimeColumn, ValueColumn};
-use super::receivers::plain;
-use super::standing::{are_mostly, are_of_several, is_coarse, spread};
+use super::row_lines::{rows_of_one_line, without_mark};
+use super::standing::{SpreadRows, are_mostly, are_of_several, is_coarse, spread};
 use crate::cells::Moment;
 use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
 use crate::cells::{Separator, TableShape, number};
 use crate::times::{TimeVerdict, judge};
-use pilotage_base::text::{LastRow, last_row, of_utf_16};
-
-/// Longest cell in quotation marks that may have several lines, bytes.
-const LONGEST_CELL: usize = 1 << 14;
+use pilotage_base::text::{LastRow, last_row};
 
 /// A CSV file, as text cells.
 pub(crate) struct CsvTable {
@@ -316,11 +313,11 @@ impl CsvTable {
         is_other
     }
 
-    /// Has [`times`](Self::times) spread the rows of one time where its clock is coarser than its rows; whether it does. Rows
-    /// of one time that are of several bodies are refused.
-    pub(crate) fn spread_rows(&mut self, map: &TimeColumn) -> Result<bool, FolderError> {
+    /// Has [`times`](Self::times) spread the rows of one time where its clock is coarser than its rows, or stopped; sentences
+    /// on that. Rows of one time that are of several bodies are refused.
+    pub(crate) fn spread_rows(&mut self, map: &TimeColumn) -> Result<Vec<String>, FolderError> {
         let (Ok(moments), Ok(at)) = (self.moments(map), self.index(&map.column)) else {
-            return Ok(false);
+            return Ok(Vec::new());
         };
         let origin = moments.iter().find_map(|moment| match moment {
             Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
@@ -328,23 +325,54 @@ impl CsvTable {
         });
         let standing = moments.iter().map(|moment| moment.since(origin));
         let standing: Vec<f64> = standing.collect();
-        if !is_coarse(&standing) {
-            return Ok(false);
-        }
+        let apart = if is_coarse(&standing) {
+            self.told_apart(map, at, &standing)?
+        } else {
+            vec![false; self.header.len()]
+        };
+        let counts = |column: usize| column != at && apart.get(column) == Some(&false);
+        let mut seconds = standing.clone();
+        let Some(SpreadRows { is_coarse, stopped }) =
+            spread(&mut seconds, |row| self.are_measurements(row, counts))
+        else {
+            return Ok(Vec::new());
+        };
+        let after = seconds.iter().zip(&standing);
+        let after = after.map(|(spread, time)| spread - time).collect();
+        self.spread = Some((map.column.clone(), after));
+        let coarse = is_coarse.then(|| {
+            "its clock is coarser than its rows: those of one time are spread until it goes on"
+                .to_owned()
+        });
+        let stopped = (stopped > 0).then(|| {
+            format!(
+                "its clock stopped over {stopped} rows and went on as if it had not: they are spread evenly"
+            )
+        });
+        Ok(coarse.into_iter().chain(stopped).collect())
+    }
+
+    /// Whether each column tells rows of one time apart, by the column `at` of times; rows of several bodies are refused.
+    fn told_apart(
+        &self,
+        map: &TimeColumn,
+        at: usize,
+        standing: &[f64],
+    ) -> Result<Vec<bool>, FolderError> {
         let cell = |row: usize, column: usize| self.rows[row].1.get(column).unwrap_or("");
         // Rows of several sensors fill other columns each, beside a name and the time; those of several cameras tell the same.
         let is_other = |(a, b): &(&str, &str)| {
             let both = number(a, self.has_decimal_comma).zip(number(b, self.has_decimal_comma));
             both.is_some_and(|(a, b)| a != b && (a.fract() != 0.0 || b.fract() != 0.0))
         };
-        let are_alike = are_mostly(&standing, |row| {
+        let are_alike = are_mostly(standing, |row| {
             let cells = self.rows[row].1.iter().zip(self.rows[row + 1].1.iter());
             let cells = cells.filter(|(a, b)| !a.is_empty() && !b.is_empty());
             cells.clone().count() > 3 && cells.into_iter().any(|cells| is_other(&cells))
         });
         let tells_apart = |column: usize| {
             let comma = self.has_decimal_comma;
-            column != at && are_of_several(&standing, |row| cell(row, column), comma)
+            column != at && are_of_several(standing, |row| cell(row, column), comma)
         };
         let apart: Vec<bool> = (0..self.header.len()).map(tells_apart).collect();
         let first = apart.iter().position(|is_apart| *is_apart);
@@ -366,15 +394,7 @@ impl CsvTable {
                 ),
             });
         }
-        let counts = |column: usize| column != at && apart.get(column) == Some(&false);
-        let mut seconds = standing.clone();
-        if !spread(&mut seconds, |row| self.are_measurements(row, counts)) {
-            return Ok(false);
-        }
-        let after = seconds.iter().zip(&standing);
-        let after = after.map(|(spread, time)| spread - time).collect();
-        self.spread = Some((map.column.clone(), after));
-        Ok(true)
+        Ok(apart)
     }
 
     /// Values of a column in SI and radians; `None` where the cell is empty or says nan.
@@ -463,92 +483,9 @@ fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
     }
 }
 
-fn without_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
-}
-
-/// The text in UTF-8: UTF-16 by its mark or its zeros; what is no UTF-8 is taken for Latin-1, in which degrees are one byte.
-/// Lines that end in carriage returns alone end as others do.
-pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let bytes = without_mark(bytes);
-    if let Some(text) = of_utf_16(bytes) {
-        return Cow::Owned(text.into_bytes());
-    }
-    let text = match str::from_utf8(bytes) {
-        // At the end a letter may be cut off.
-        Err(error) if error.error_len().is_some() => {
-            let text: String = bytes.iter().copied().map(char::from).collect();
-            Cow::Owned(text.into_bytes())
-        }
-        _ => Cow::Borrowed(bytes),
-    };
-    if text.contains(&b'\r') && !text.contains(&b'\n') {
-        let ended = text.iter().map(|b| if *b == b'\r' { b'\n' } else { *b });
-        return Cow::Owned(ended.collect());
-    }
-    text
-}
-
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
     with_signs(with_degrees(rows_of_one_line(bytes))).0
-}
-
-/// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
-fn rows_of_one_line(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let text = plain(decoded(bytes));
-    if !text.contains(&b'"') {
-        return text;
-    }
-    let mut flat = None;
-    let mut at = 0;
-    let mut is_begin = true;
-    while let Some(byte) = text.get(at) {
-        if *byte == b'"' && is_begin {
-            let Some(end) = end_of_quoted(&text, at) else {
-                at += 1;
-                is_begin = false;
-                continue;
-            };
-            let has_lines = text[at..end].iter().any(|b| matches!(b, b'\n' | b'\r'));
-            if has_lines {
-                let flat: &mut Vec<u8> = flat.get_or_insert_with(|| text.to_vec());
-                let inside = flat[at..end].iter_mut();
-                inside
-                    .filter(|b| matches!(**b, b'\n' | b'\r'))
-                    .for_each(|b| *b = b' ');
-            }
-            at = end;
-            is_begin = false;
-            continue;
-        }
-        is_begin = is_seam(*byte) || *byte == b' ' && is_begin;
-        at += 1;
-    }
-    flat.map_or(text, Cow::Owned)
-}
-
-/// Whether a byte parts cells or rows.
-fn is_seam(byte: u8) -> bool {
-    matches!(byte, b',' | b';' | b'\t' | b'|' | b'\n' | b'\r')
-}
-
-/// Place behind the cell that begins with a quotation mark at `start`; `None` where no mark ends it before
-/// [`LONGEST_CELL`] bytes.
-fn end_of_quoted(text: &[u8], start: usize) -> Option<usize> {
-    let most = text.len().min(start + LONGEST_CELL);
-    let mut at = start + 1;
-    while at < most {
-        if text[at] != b'"' {
-            at += 1;
-        } else if text.get(at + 1) == Some(&b'"') {
-            at += 2;
-        } else {
-            let is_end = text.get(at + 1).is_none_or(|next| is_seam(*next));
-            return is_end.then_some(at + 1);
-        }
-    }
-    None
 }
 
 /// The same lines with a comma for every run of blanks between two cells.
@@ -687,7 +624,7 @@ mod tests {
             offset_s: 2.0,
         };
         assert_eq!(table.times(&map, None).unwrap()[..3], [2.0; 3]);
-        assert!(table.spread_rows(&map).unwrap());
+        assert!(!table.spread_rows(&map).unwrap().is_empty());
         assert_eq!(table.times(&map, None).unwrap()[..3], [2.0, 2.25, 2.5]);
     }
 }
