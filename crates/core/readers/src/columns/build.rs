@@ -1,5 +1,6 @@
 //! A flight of tables, by their maps.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -8,6 +9,7 @@ use nalgebra::{Point3, Vector3};
 use super::attitude::attitude;
 use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
+use super::newest_first::oldest_first;
 use super::rows::pair;
 use super::strays::{FARTHEST, leave_out_strays};
 use super::together::common_name;
@@ -191,6 +193,7 @@ fn table_of(files: &dyn FileSet, map: &ColumnMap) -> Result<(CsvTable, TimeColum
         file: map.file.clone(),
         wanted_by: "its column map".to_owned(),
     })?;
+    let turned = oldest_first(&bytes);
     let names = map
         .columns
         .iter()
@@ -198,7 +201,11 @@ fn table_of(files: &dyn FileSet, map: &ColumnMap) -> Result<(CsvTable, TimeColum
         .collect();
     let is_read = |column: &MappedColumn| column.role != ColumnRole::Nothing;
     let is_read: Vec<bool> = map.columns.iter().map(is_read).collect();
-    let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names, &is_read)?;
+    let mut table = CsvTable::shaped(&map.file, &turned, &map.shape, names, &is_read)?;
+    if matches!(turned, Cow::Owned(_)) {
+        let told = "its newest row is the first: it is read from its end to its beginning";
+        table.told.push(told.to_owned());
+    }
     let time = time_column(map);
     if let Some(rate) = map
         .rows_per_second

@@ -25,6 +25,7 @@ mod maker_tests;
 mod makers;
 mod map;
 mod names;
+mod newest_first;
 mod part_units;
 mod parts;
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::newest_first::oldest_first;
 use super::{ColumnMap, ColumnRole, MappedColumn, TableShape, parts, time};
 use crate::cells::{Moment, date_and_time};
 use crate::folder::decoded_table;
@@ -36,7 +37,8 @@ pub(super) fn pair(cell: &str) -> Option<(f64, f64)> {
 impl EvenRows {
     /// Rows of a table of that shape; of columns that are not wanted nothing is kept.
     pub fn of(bytes: &[u8], shape: &TableShape, wanted: &[bool]) -> Self {
-        let bytes = decoded_table(bytes);
+        let bytes = oldest_first(bytes);
+        let bytes = decoded_table(&bytes);
         let skipped = shape.skipped_lines + shape.head_lines();
         let lines = || bytes.split(|byte| *byte == b'\n').skip(skipped);
         let stride = lines().count().div_ceil(MOST).max(1);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use super::header::parts;
 use super::makers;
+use super::newest_first::oldest_first;
 use super::{ColumnSample, Separator, TableShape};
 use crate::cells::spellings::is_unit;
 use crate::cells::{Moment, date_and_time, is_missing, unit_behind};
@@ -38,7 +39,8 @@ const DAYS: [&str; 4] = ["date", "day", "week", "datum"];
 /// are, about; `None` if it is no table.
 pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<ColumnSample>, f64)> {
     // Pieces of UTF-16 have no mark, and nothing tells whether they begin within a cell of several lines.
-    let whole = decoded_table(bytes);
+    let bytes = oldest_first(bytes);
+    let whole = decoded_table(&bytes);
     let bytes = whole.as_ref();
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let shape = TableShape::of(&head)?;

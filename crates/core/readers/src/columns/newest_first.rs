@@ -1,0 +1,156 @@
+//! Tables whose newest row is the first, turned round so that their times go on.
+
+use std::borrow::Cow;
+
+use super::names::meanings;
+use super::{ColumnRole, TableShape};
+use crate::cells::{Moment, date_and_time};
+use crate::folder::rows_of_one_line;
+
+/// Bytes of the beginning that tell whether the rest is looked at.
+const HEAD: usize = 1 << 16;
+/// Fewest rows that tell it.
+const FEWEST: usize = 5;
+/// So many times fewer steps than rows may go the other way: over midnight, of a wrong time.
+const RARE: usize = 50;
+
+/// The table with its oldest row first; as it is where it is so already, or no column of times tells.
+pub(super) fn oldest_first(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let head = rows_of_one_line(&bytes[..bytes.len().min(HEAD)]);
+    let begins = String::from_utf8_lossy(&head);
+    if !TableShape::of(&begins).is_some_and(|shape| is_newest_first(&begins, &shape)) {
+        return Cow::Borrowed(bytes);
+    }
+    let whole = rows_of_one_line(bytes);
+    let text = String::from_utf8_lossy(&whole);
+    let shape = TableShape::of(&begins).filter(|shape| is_newest_first(&text, shape));
+    let Some(shape) = shape else {
+        return Cow::Borrowed(bytes);
+    };
+    let before = shape.skipped_lines + shape.head_lines();
+    let mut lines: Vec<&str> = text.lines().collect();
+    lines[before..].reverse();
+    let mut turned = lines.join("\n").into_bytes();
+    turned.push(b'\n');
+    Cow::Owned(turned)
+}
+
+/// Whether a column of times goes back from row to row, and none goes on.
+fn is_newest_first(text: &str, shape: &TableShape) -> bool {
+    let names = text.lines().nth(shape.skipped_lines);
+    let Some(names) = names.filter(|_| shape.has_header) else {
+        return false;
+    };
+    let names = shape
+        .separator
+        .cells(names.trim_start_matches(['#', '%', '!']));
+    let rows = text.lines().skip(shape.skipped_lines + shape.head_lines());
+    let rows = rows.filter(|line| !line.trim().is_empty() && !line.starts_with('#'));
+    let rows: Vec<Vec<Cow<'_, str>>> = rows.map(|line| shape.separator.cells(line)).collect();
+    let mut is_any = false;
+    for (column, name) in names.iter().enumerate() {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        let times: Vec<f64> = cells.filter_map(|cell| seconds(cell, shape)).collect();
+        let are_dates = || {
+            let cell = rows.first().and_then(|row| row.get(column));
+            cell.is_some_and(|cell| shape.number(cell).is_none())
+        };
+        if times.len() < FEWEST || !(is_called_time(name) || are_dates()) {
+            continue;
+        }
+        let count = |is: fn(f64, f64) -> bool| times.windows(2).filter(|w| is(w[0], w[1])).count();
+        let (on, back) = (count(|a, b| b > a), count(|a, b| b < a));
+        if RARE * back < times.len() && on > 0 {
+            return false;
+        }
+        // A clock may be coarser than the rows.
+        is_any |= RARE * on < times.len() && 100 * back >= times.len() && back >= FEWEST - 1;
+    }
+    is_any
+}
+
+fn seconds(cell: &str, shape: &TableShape) -> Option<f64> {
+    shape.number(cell).or_else(|| match date_and_time(cell)? {
+        Moment::Absolute(whole, fraction) => Some(whole as f64 + fraction),
+        Moment::Relative(seconds) => Some(seconds),
+    })
+}
+
+fn is_called_time(name: &str) -> bool {
+    let parts = super::header::parts(name, "");
+    let named = meanings(&parts.words)
+        .into_iter()
+        .chain(meanings(parts.plain_words()));
+    let mut named = named.filter(|guess| guess.role == ColumnRole::Time);
+    named.any(|guess| guess.confidence > 0.5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::files;
+    use super::super::{flight_of_tables, guess_table, guess_tables};
+
+    /// A table of 60 rows a second apart, north at 15 m/s, in the order of `rows`.
+    fn table(time: impl Fn(u32) -> String, name: &str, rows: &[u32]) -> String {
+        let row = |row: &u32| {
+            let north = 47.1 + f64::from(*row) * 15.0 / 111_185.0;
+            format!("{},{north:.7},8.5,{},\"a, b\"\n", time(*row), 500 + row)
+        };
+        let rows: String = rows.iter().map(row).collect();
+        format!("{name},lat,lon,altitude [m],remark\n{rows}")
+    }
+
+    #[test]
+    fn a_table_whose_newest_row_is_first_is_the_same_flight_and_that_is_told() {
+        let plain = |row: u32| f64::from(row).to_string();
+        let dated = |row: u32| format!("2024-05-01T10:00:{row:02}Z");
+        let of_day = |row: u32| {
+            format!(
+                "{:02}:{:02}:{:02}",
+                (86_370 + row) % 86_400 / 3600,
+                (86_370 + row) % 3600 / 60,
+                row % 60
+            )
+        };
+        let times: [(&str, &dyn Fn(u32) -> String); 3] = [
+            ("time [s]", &plain),
+            ("timestamp", &dated),
+            ("time", &of_day),
+        ];
+        for (name, time) in times {
+            let forward: Vec<u32> = (0..60).collect();
+            let backward: Vec<u32> = (0..60).rev().collect();
+            let states = |rows: &[u32]| {
+                let text = table(time, name, rows);
+                let files = files(&[("a.csv", &text)]);
+                let maps = [guess_table("a.csv", text.as_bytes()).expect(name)];
+                let guessed = guess_tables(files.as_ref(), &files.names());
+                assert!(guessed[0].is_proposed, "{name}");
+                let folder = flight_of_tables(&files, &maps).expect(name);
+                let is_told = folder.notes.iter().any(|note| note.contains("newest row"));
+                (folder.flight.truth.expect(name).states, is_told)
+            };
+            let (right, is_told) = states(&forward);
+            assert!(!is_told && right.len() == 60, "{name}");
+            let (found, is_told) = states(&backward);
+            assert!(is_told, "{name}");
+            assert_eq!(found.len(), 60, "{name}");
+            for (found, right) in found.iter().zip(&right) {
+                assert!((found.time - right.time).abs() < 1e-9, "{name}");
+                assert!((found.position - right.position).norm() < 1e-6, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_time_that_is_left_beside_a_clock_turns_nothing() {
+        let both = |row: u32| format!("{row},{}", 600 - row);
+        let rows: Vec<u32> = (0..60).collect();
+        let text = table(both, "time [s],time remaining [s]", &rows);
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        let folder = flight_of_tables(&files(&[("a.csv", &text)]), &[map]).unwrap();
+        assert!(!folder.notes.iter().any(|note| note.contains("newest row")));
+        let states = folder.flight.truth.unwrap().states;
+        assert!(states.last().unwrap().position.x > states[0].position.x);
+    }
+}
