@@ -479,3 +479,53 @@ fn a_direction_that_is_stated_in_degrees_is_none_in_hundredths_because_it_hardly
     );
     assert_eq!(guessed(&map, "course(°)"), is(Course, "deg"));
 }
+
+#[test]
+fn heights_and_speeds_of_sim_connect_are_feet_and_knots_unless_their_names_say_otherwise() {
+    for (seam, stated) in [(" ", ""), ("_", ""), (" ", " (meters)")] {
+        let spelled = |name: &str| name.replace(' ', seam);
+        let names = [
+            "PLANE LATITUDE",
+            "PLANE LONGITUDE",
+            "PLANE HEADING DEGREES TRUE",
+            "PLANE BANK DEGREES",
+            "AIRSPEED TRUE",
+        ]
+        .map(spelled);
+        let altitude = spelled("PLANE ALTITUDE") + stated;
+        let mut text = format!("time [s],{},{altitude}\n", names.join(","));
+        // A circle to the right at 60 m/s in still air; SimConnect's bank is positive to the left.
+        let (speed, rate) = (60.0, 0.05_f64);
+        let bank = -(speed * rate / 9.81).atan();
+        for i in 0..120 {
+            let turned = rate * f64::from(i);
+            let (sin, cos) = turned.sin_cos();
+            let radius = speed / rate;
+            let (north, east) = (radius * sin, radius * (1.0 - cos));
+            let heading = turned % std::f64::consts::TAU;
+            let height = 3000.0 + 100.0 * (0.1 * f64::from(i)).sin();
+            let knots = speed / 0.514_444 + 0.2 * f64::from(i % 3);
+            writeln!(
+                text,
+                "{i},{:.7},{:.7},{heading:.5},{bank:.4},{knots:.2},{height:.1}",
+                47.1 + north / 111_190.0,
+                8.5 + east / 75_690.0,
+            )
+            .unwrap();
+        }
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        let unit = if stated.is_empty() { "ft" } else { "m" };
+        assert_eq!(guessed(&map, &altitude).1, unit, "{altitude}");
+        assert_eq!(
+            guessed(&map, &names[4]),
+            is(Channel(ChannelName::Airspeed), "kt"),
+            "{altitude}"
+        );
+        let roll = map.columns.iter().find(|c| c.name == names[3]).unwrap();
+        assert_eq!(
+            (roll.unit.as_str(), roll.scale),
+            ("rad", -1.0),
+            "{altitude}"
+        );
+    }
+}

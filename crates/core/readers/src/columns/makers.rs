@@ -65,7 +65,36 @@ const OF_LITCHI: &[(&str, ColumnRole)] = &[
     ("altitude(feet)", ABOVE_START),
 ];
 
-const MAKERS: [Maker; 21] = [
+/// Units in which SimConnect gives heights and speeds where nobody asks for others; angles are asked for in either.
+const OF_SIM_CONNECT: &[(&str, &str)] = &[
+    ("PLANE ALTITUDE", "ft"),
+    ("INDICATED ALTITUDE", "ft"),
+    ("PLANE ALT ABOVE GROUND", "ft"),
+    ("GROUND ALTITUDE", "ft"),
+    ("AIRSPEED TRUE", "kt"),
+    ("AIRSPEED INDICATED", "kt"),
+    ("GROUND VELOCITY", "kt"),
+    ("PLANE_ALTITUDE", "ft"),
+    ("INDICATED_ALTITUDE", "ft"),
+    ("PLANE_ALT_ABOVE_GROUND", "ft"),
+    ("GROUND_ALTITUDE", "ft"),
+    ("AIRSPEED_TRUE", "kt"),
+    ("AIRSPEED_INDICATED", "kt"),
+    ("GROUND_VELOCITY", "kt"),
+];
+
+const MAKERS: [Maker; 23] = [
+    // Variables of SimConnect (Microsoft's simulators), as its manual spells them and as programs in Python do.
+    Maker {
+        has: &["PLANE LATITUDE", "PLANE LONGITUDE"],
+        units: OF_SIM_CONNECT,
+        roles: &[],
+    },
+    Maker {
+        has: &["PLANE_LATITUDE", "PLANE_LONGITUDE"],
+        units: OF_SIM_CONNECT,
+        roles: &[],
+    },
     // Receivers of Advanced Navigation.
     Maker {
         has: &["Unix Time", "Microseconds", "Height"],
