@@ -21,6 +21,17 @@ const LONGEST_BAR: f32 = 64.0;
 /// At most this many points of a curve in a figure.
 const MOST_POINTS: usize = 400;
 
+/// Numbers of a whole run of which a figure is drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct FigureNumbers {
+    /// Matches: what is drawn of each, and whether it was used.
+    pub matches: Vec<([f64; 2], bool)>,
+    /// Threshold of the gate for the first of them.
+    pub threshold: Option<f64>,
+    /// Landmarks by their ids, with the numbers of looks that were used and refused.
+    pub looks: Vec<(u32, usize, usize)>,
+}
+
 /// Place for a picture drawn from the run on screen, and what is drawn there.
 pub(super) struct Figure<'a> {
     /// Painter that keeps to the place.
@@ -39,6 +50,8 @@ pub(super) struct Figure<'a> {
     pub step: &'a StepReport,
     /// Moment that the stop tells of.
     pub moment: &'a TourMoment,
+    /// What the stop gathered of the run.
+    pub numbers: &'a FigureNumbers,
     /// The time cursor, seconds in the flight's time base.
     pub time: f64,
     /// Time at which every clock on the page stands at zero.
@@ -50,7 +63,7 @@ pub(super) fn place(
     ui: &mut Ui,
     context: &ViewContext<'_>,
     title: &str,
-    moment: &TourMoment,
+    (moment, numbers): (&TourMoment, &FigureNumbers),
     room: f32,
     draw: &dyn Fn(&Figure<'_>),
 ) {
@@ -74,6 +87,7 @@ pub(super) fn place(
         run,
         step,
         moment,
+        numbers,
         time: context.time,
         clock_zero: context.clock_zero,
     });

@@ -4,7 +4,7 @@ use egui::Ui;
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{NavigatorSettings, Run};
 
-use super::figure::Figure;
+use super::figure::{Figure, FigureNumbers};
 use super::moment::TourMoment;
 use super::trial::TourTrial;
 use crate::units::Units;
@@ -20,6 +20,12 @@ pub(super) trait TourStop {
     /// Words in the place of the usual ones where a run has no such moment.
     fn missing(&self, _run: &Run) -> Option<&'static str> {
         None
+    }
+
+    /// Numbers of the whole run of which its figure is drawn: gathered once while the run stays the same, not for every
+    /// frame of the screen.
+    fn gather(&self, _run: &Run) -> FigureNumbers {
+        FigureNumbers::default()
     }
 
     /// Draws its figure.

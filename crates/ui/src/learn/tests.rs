@@ -5,6 +5,7 @@ use super::command::LearnCommand;
 use super::tour::Tour;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::units::Units;
 use crate::views::fixture::Fixture;
 
 struct State {
@@ -12,6 +13,7 @@ struct State {
     tour: Tour,
     playing: bool,
     clock_zero: f64,
+    units: Units,
     commands: Vec<Command>,
 }
 
@@ -29,6 +31,7 @@ fn harness_over(fixture: Fixture, playing: bool, clock_zero: f64) -> Harness<'st
         tour: Tour::default(),
         playing,
         clock_zero,
+        units: Units::Metric,
         commands: Vec::new(),
     };
     Harness::builder().with_size([360.0, 460.0]).build_ui_state(
@@ -37,6 +40,7 @@ fn harness_over(fixture: Fixture, playing: bool, clock_zero: f64) -> Harness<'st
             let mut context = ViewContext {
                 playing: state.playing,
                 clock_zero: state.clock_zero,
+                units: state.units,
                 ..fixture.context(state.clock_zero + 5.0, &mut state.commands)
             };
             state.tour.show(ui, &mut context);
@@ -116,6 +120,29 @@ fn arrow_keys_turn_the_pages_while_a_button_of_the_tour_has_the_focus() {
     harness.key_press(egui::Key::ArrowLeft);
     harness.run();
     assert_eq!(harness.state().tour.number(), 0);
+}
+
+#[test]
+fn a_run_is_looked_through_once_for_each_stop_and_told_anew_in_other_units() {
+    let mut harness = harness();
+    let stops = harness.state().tour.stops();
+    for number in 0..stops {
+        harness.state_mut().tour.go_to(number);
+        harness.run();
+        harness.run_steps(6);
+    }
+    let looked_up = harness.state().tour.looked_up;
+    // Once for the stop that was open at first.
+    assert!(looked_up <= stops + 1, "{looked_up}");
+    harness.state_mut().units = Units::Aviation;
+    harness.run();
+    assert_eq!(harness.state().tour.looked_up, looked_up + 1);
+    // Another run of as many steps.
+    let steps = &mut harness.state_mut().fixture.run.steps;
+    let last = steps.last_mut().unwrap();
+    last.after.mean[0] += 1.0;
+    harness.run();
+    assert_eq!(harness.state().tour.looked_up, looked_up + 2);
 }
 
 /// Words that are painted.

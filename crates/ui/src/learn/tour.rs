@@ -1,16 +1,19 @@
 //! The guided tour over the run on screen, with a telling moment at every stop.
 
 use std::cmp::Ordering;
+use std::rc::Rc;
 
 use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
 use super::command::LearnCommand;
+use super::figure::FigureNumbers;
 use super::lesson::TourStop;
 use super::moment::TourMoment;
 use super::{figure, lessons};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
+use crate::units::Units;
 use crate::views::parts;
 
 /// Page of the lessons, beside that of the app.
@@ -26,12 +29,46 @@ pub(super) struct Tour {
     number: usize,
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
-    /// The moment of this stop or words on why there is none, and for how many steps of the run it was looked up.
-    found: Option<(usize, Result<TourMoment, &'static str>)>,
+    /// What this stop finds in the run, once it was looked up.
+    found: Option<FoundStop>,
+    /// Number of times that a run was looked through.
+    #[cfg(test)]
+    pub(super) looked_up: usize,
     /// Number of changes of the settings made here that can be taken back.
     edited: usize,
     /// Number of the screen's frame in which the tour was drawn last.
     drawn: u64,
+}
+
+/// Part of a run that a stop finds: another run, or one that has grown, has another.
+#[derive(Clone, Debug, PartialEq)]
+struct RunPart {
+    steps: usize,
+    /// Estimate at its end, metres north and east.
+    end: Option<[f64; 2]>,
+    /// Units of the words.
+    units: Units,
+}
+
+impl RunPart {
+    fn of(context: &ViewContext<'_>) -> Self {
+        let steps = context.run.map_or(&[][..], |run| &run.steps);
+        let end = steps.last().map(|step| step.after.position());
+        Self {
+            steps: steps.len(),
+            end: end.map(|end| [end.north, end.east]),
+            units: context.units,
+        }
+    }
+}
+
+/// Findings of a stop in a run.
+#[derive(Clone)]
+struct FoundStop {
+    of: RunPart,
+    /// The moment, or words on why there is none.
+    moment: Result<TourMoment, &'static str>,
+    numbers: Rc<FigureNumbers>,
 }
 
 impl Default for Tour {
@@ -41,6 +78,8 @@ impl Default for Tour {
             number: 0,
             arrived: false,
             found: None,
+            #[cfg(test)]
+            looked_up: 0,
             edited: 0,
             drawn: 0,
         }
@@ -101,11 +140,15 @@ impl Tour {
         self.navigation(ui, context);
     }
 
-    /// Looks the moment up anew while the run grows.
+    /// Looks the moment up anew where the run is another, or has grown, or is told in other units.
     fn look_up(&mut self, context: &ViewContext<'_>) {
-        let steps = context.run.map_or(0, |run| run.steps.len());
-        if self.found.as_ref().is_some_and(|(seen, _)| *seen == steps) {
+        let of = RunPart::of(context);
+        if self.found.as_ref().is_some_and(|found| found.of == of) {
             return;
+        }
+        #[cfg(test)]
+        {
+            self.looked_up += 1;
         }
         let lesson = self.current();
         let moment = context
@@ -115,12 +158,20 @@ impl Tour {
                 let moment = lesson.find(run, context.flight, context.units);
                 moment.ok_or_else(|| lesson.missing(run).unwrap_or(NOT_YET))
             });
-        self.found = Some((steps, moment));
+        let numbers = context.run.map(|run| lesson.gather(run));
+        self.found = Some(FoundStop {
+            of,
+            moment,
+            numbers: Rc::new(numbers.unwrap_or_default()),
+        });
     }
 
     /// Brings the cursor to the moment and pauses, once per stop.
     fn arrive(&mut self, context: &mut ViewContext<'_>) {
-        let Some((_, Ok(moment))) = &self.found else {
+        let Some(FoundStop {
+            moment: Ok(moment), ..
+        }) = &self.found
+        else {
             return;
         };
         if self.arrived {
@@ -153,8 +204,10 @@ impl Tour {
                 .font(tokens.large())
                 .color(tokens.text),
         );
-        let found = self.found.clone().map_or(Err(NOT_YET), |(_, found)| found);
-        let moment = match found {
+        let numbers = self.found.as_ref().map(|found| found.numbers.clone());
+        let numbers = numbers.unwrap_or_default();
+        let found = self.found.as_ref();
+        let moment = match found.map_or(Err(NOT_YET), |found| found.moment.clone()) {
             Ok(moment) => moment,
             Err(text) => {
                 ui.label(
@@ -175,9 +228,16 @@ impl Tour {
         // The button below the figure is as high as a finger.
         let higher = tokens.target() - 4.0 * tokens.space;
         let left = room - (ui.cursor().top() - top) - controls * tokens.space - higher;
-        figure::place(ui, context, lesson.title(), &moment, left, &|figure| {
-            lesson.draw(figure);
-        });
+        figure::place(
+            ui,
+            context,
+            lesson.title(),
+            (&moment, &numbers),
+            left,
+            &|figure| {
+                lesson.draw(figure);
+            },
+        );
         lesson.control(ui);
         let (_, more) = lessons::LINKS[self.number];
         let link = egui::Hyperlink::from_label_and_url(

@@ -6,7 +6,7 @@ use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{NavigatorSettings, Outcome, Run};
 
 use super::super::candidates::{judged, no_landmark};
-use super::super::figure::Figure;
+use super::super::figure::{Figure, FigureNumbers};
 use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -60,6 +60,14 @@ impl TourStop for ConsistencyStop {
         no_landmark(run)
     }
 
+    fn gather(&self, run: &Run) -> FigureNumbers {
+        let matches = accepted_nis(run).into_iter();
+        FigureNumbers {
+            matches: matches.map(|(_, nis)| ([nis, 0.0], true)).collect(),
+            ..FigureNumbers::default()
+        }
+    }
+
     // The histogram of the NIS, beside the chi-square density with the degrees of freedom of a single
     // landmark.
     fn draw(&self, figure: &Figure<'_>) {
@@ -68,13 +76,14 @@ impl TourStop for ConsistencyStop {
             rect,
             tokens,
             run,
+            numbers,
             ..
         } = *figure;
         let freedom = degrees_of_freedom(run) as f64;
         let highest_nis = chi_square_quantile(0.998, freedom);
-        let values = accepted_nis(run);
+        let values = &numbers.matches;
         let mut counts = [0_usize; BINS];
-        for (_, value) in &values {
+        for ([value, _], _) in values {
             let bin = (value / highest_nis * BINS as f64) as usize;
             counts[bin.min(BINS - 1)] += 1;
         }

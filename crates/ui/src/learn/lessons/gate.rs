@@ -6,7 +6,7 @@ use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{CandidateReport, NavigatorSettings, Outcome, Run};
 
 use super::super::candidates::{judged, no_landmark};
-use super::super::figure::Figure;
+use super::super::figure::{Figure, FigureNumbers};
 use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -42,27 +42,38 @@ impl TourStop for GateStop {
         no_landmark(run)
     }
 
+    fn gather(&self, run: &Run) -> FigureNumbers {
+        let frames = run.steps.iter().filter_map(|step| step.frame.as_ref());
+        let all = frames.flat_map(|frame| &frame.candidates);
+        let placed = all.filter_map(|c| {
+            // As far out as the NIS says, in the direction of the pixels' part of it.
+            let root = c.innovation_covariance.cholesky()?.l();
+            let direction = root.solve_lower_triangular(&c.innovation?)?;
+            let v = direction * (c.nis?.sqrt() / direction.norm().max(1e-9));
+            Some((c, v))
+        });
+        let placed: Vec<(&CandidateReport, Vector2<f64>)> = placed.collect();
+        let is_used = |c: &CandidateReport| c.outcome == Outcome::Accepted;
+        FigureNumbers {
+            threshold: placed.first().map(|(c, _)| c.threshold),
+            matches: placed
+                .iter()
+                .map(|(c, v)| ([v.x, v.y], is_used(c)))
+                .collect(),
+            ..FigureNumbers::default()
+        }
+    }
+
     // Every innovation of the run in units of its own σ, inside and outside the gate's circle.
     fn draw(&self, figure: &Figure<'_>) {
         let Figure {
             painter,
             rect,
             tokens,
-            run,
+            numbers,
             ..
         } = *figure;
-        let all: Vec<(&CandidateReport, Vector2<f64>)> = run
-            .steps
-            .iter()
-            .flat_map(|s| s.frame.iter().flat_map(|f| &f.candidates))
-            .filter_map(|c| {
-                // As far out as the NIS says, in the direction of the pixels' part of it.
-                let root = c.innovation_covariance.cholesky()?.l();
-                let direction = root.solve_lower_triangular(&c.innovation?)?;
-                Some((c, direction * (c.nis?.sqrt() / direction.norm().max(1e-9))))
-            })
-            .collect();
-        let radius = all.first().map_or(3.0, |(c, _)| c.threshold.sqrt());
+        let radius = numbers.threshold.map_or(3.0, f64::sqrt);
         let scale = 0.40 * rect.height() / radius as f32;
         let center = rect.center() + vec2(0.18 * rect.width(), 0.0);
         painter.circle(
@@ -71,15 +82,16 @@ impl TourStop for GateStop {
             parts::ink(tokens).gamma_multiply(0.06),
             Stroke::new(1.5, parts::ink(tokens)),
         );
-        for (candidate, v) in &all {
+        for ([x, y], is_used) in &numbers.matches {
             let most = f64::from(0.49 * rect.height() / scale);
+            let v = Vector2::new(*x, *y);
             let v = if v.norm() > most {
                 v * (most / v.norm())
             } else {
-                *v
+                v
             };
             let at = center + vec2(v.x as f32, v.y as f32) * scale;
-            let color = if candidate.outcome == Outcome::Accepted {
+            let color = if *is_used {
                 tokens.observed
             } else {
                 tokens.refused

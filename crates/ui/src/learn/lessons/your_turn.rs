@@ -5,7 +5,7 @@ use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{NavigatorSettings, Outcome, Run};
 use pilotage_core::sorting::sort;
 
-use super::super::figure::Figure;
+use super::super::figure::{Figure, FigureNumbers};
 use super::super::lesson::TourStop;
 use super::super::moment::TourMoment;
 use super::super::trial::TourTrial;
@@ -31,15 +31,7 @@ impl TourStop for YourTurnStop {
         Some(TourMoment::new(run, index, text))
     }
 
-    // The numbers of uses and refusals of each landmark.
-    fn draw(&self, figure: &Figure<'_>) {
-        let Figure {
-            painter,
-            rect,
-            tokens,
-            run,
-            ..
-        } = *figure;
+    fn gather(&self, run: &Run) -> FigureNumbers {
         let mut rows: Vec<(u32, usize, usize)> = Vec::new();
         for candidate in run
             .steps
@@ -59,6 +51,23 @@ impl TourStop for YourTurnStop {
         }
         sort(&mut rows, &|a, b| b.1.cmp(&a.1));
         rows.truncate(6);
+        FigureNumbers {
+            looks: rows,
+            ..FigureNumbers::default()
+        }
+    }
+
+    // The numbers of uses and refusals of each landmark.
+    fn draw(&self, figure: &Figure<'_>) {
+        let Figure {
+            painter,
+            rect,
+            tokens,
+            run,
+            numbers,
+            ..
+        } = *figure;
+        let rows = &numbers.looks;
         let most = rows.iter().map(|r| r.1 + r.2).max().unwrap_or(1).max(1) as f32;
         let head = 1.5 * tokens.text_sizes[0];
         let height = (rect.height() - 2.0 * tokens.space - head) / rows.len().max(1) as f32;
