@@ -80,8 +80,8 @@ impl Playback {
         self.select(begin.map(|begin| (begin, self.time)), whole);
     }
 
-    /// Moves the cursor by `elapsed` seconds of real time. It waits at `streamed`, the last time
-    /// computed so far, and ends or starts over at the end of the span.
+    /// Moves the cursor by `elapsed` seconds of real time. It waits at `streamed`, the last time computed so far, or where it
+    /// stands beyond that: what is flown again comes there. It ends or starts over at the end of the span.
     ///
     /// ```
     /// use pilotage_ui::timeline::Playback;
@@ -107,6 +107,7 @@ impl Playback {
         if self.time < first {
             self.time = first;
         }
+        let before = self.time;
         // A page that slept for long does not leap.
         self.time += elapsed.clamp(0.0, 0.25) * self.speed;
         let end = if complete {
@@ -116,7 +117,7 @@ impl Playback {
         };
         if self.time >= end {
             if !complete {
-                self.time = end.max(first);
+                self.time = end.max(before);
             } else if self.looping {
                 self.time = first;
             } else {
@@ -136,6 +137,22 @@ mod tests {
             time,
             ..Playback::default()
         }
+    }
+
+    #[test]
+    fn a_cursor_waits_where_it_stands_until_a_flight_that_is_flown_again_has_come_there() {
+        let mut playback = at(84.0);
+        let span = Some((0.0, 120.0));
+        for streamed in [0.5, 40.0, 84.0] {
+            playback.advance(0.1, span, streamed, false);
+            assert_eq!(playback.time, 84.0, "at {streamed} s");
+        }
+        playback.advance(0.1, span, 100.0, false);
+        assert!((playback.time - 84.1).abs() < 1e-9);
+        // Stopped before it came there.
+        let mut playback = at(84.0);
+        playback.advance(0.1, span, 40.0, true);
+        assert!(playback.time <= 40.0);
     }
 
     #[test]
