@@ -172,7 +172,11 @@ fn facts(
     if let Some(fit) = &overview.air_data {
         let from = direction((-fit.wind.y).atan2(-fit.wind.x), 0);
         let strength = per_second * fit.wind.norm();
-        row("Mean wind", format!("{strength:.1} from {from}°"), speed);
+        row(
+            "Mean wind, fitted",
+            format!("{strength:.1} from {from}°"),
+            speed,
+        );
         row("Airspeed scale", format!("{:.3}", fit.scale), "");
     }
 }
