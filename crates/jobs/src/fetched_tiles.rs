@@ -10,8 +10,10 @@ use super::WebMap;
 
 /// Key under which fetched tiles are given to a worker: files whose names are addresses.
 pub const WEB_TILES: &str = "tiles of the web";
-/// Bytes of tiles, as they were fetched, that a worker keeps.
+/// Bytes of tiles, as they were fetched, that a worker keeps, with their addresses.
 const MOST_BYTES: usize = 48 << 20;
+/// Bytes that a tile takes beside its own and those of its address, about: that a server has none is kept, too.
+const BESIDE: usize = 96;
 /// Bytes of unpacked tiles that a map keeps.
 const UNPACKED: usize = 32 << 20;
 
@@ -32,9 +34,9 @@ impl FetchedTiles {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.clock += 1;
         let now = all.clock;
-        all.bytes += bytes.len();
+        all.bytes += weight(address, &bytes);
         if let Some((_, old)) = all.tiles.insert(address.to_owned(), (now, bytes)) {
-            all.bytes -= old.len();
+            all.bytes -= weight(address, &old);
         }
         while all.bytes > MOST_BYTES && all.tiles.len() > 1 {
             let ages = all
@@ -45,7 +47,7 @@ impl FetchedTiles {
                 return;
             };
             if let Some((_, gone)) = all.tiles.remove(&oldest) {
-                all.bytes -= gone.len();
+                all.bytes -= weight(&oldest, &gone);
             }
         }
     }
@@ -58,6 +60,11 @@ impl FetchedTiles {
         *used = now;
         Some(bytes.clone())
     }
+}
+
+/// Bytes that a tile takes.
+fn weight(address: &str, tile: &[u8]) -> usize {
+    BESIDE + address.len() + tile.len()
 }
 
 /// The tiles of one template.
@@ -118,5 +125,19 @@ mod tests {
         let all = fetched.0.lock().unwrap();
         assert!(all.bytes <= MOST_BYTES && all.tiles.contains_key("29"));
         assert!(!all.tiles.contains_key("0"));
+    }
+
+    #[test]
+    fn tiles_that_a_server_has_not_are_forgotten_too_and_those_looked_at_last_stay() {
+        let fetched = FetchedTiles::default();
+        let address = |i: usize| format!("https://example.org/{i}/{}", "a".repeat(1 << 20));
+        for i in 0..100 {
+            fetched.keep(&address(i), Arc::new([]));
+            assert!(fetched.get(&address(0)).is_some());
+        }
+        let all = fetched.0.lock().unwrap();
+        assert!(all.tiles.len() < 50 && all.bytes <= MOST_BYTES);
+        assert!(!all.tiles.contains_key(&address(1)));
+        assert!(all.tiles.contains_key(&address(99)));
     }
 }
