@@ -3,13 +3,14 @@
 use egui::{Align2, Color32, Painter, Pos2, Rect, Vec2, vec2};
 use pilotage_core::sorting::sort;
 
-use super::symbols::paint_halo_text;
+use super::symbols::{halo_rect, paint_halo_text};
 use crate::tokens::Tokens;
 
 /// Rank of the name of a landmark that is not looked for.
 pub const POSSIBLE: u8 = 3;
 
 /// A name to be written beside a landmark.
+#[derive(Clone, Debug, PartialEq)]
 pub struct LandmarkLabel {
     /// The smaller the sooner it gets a place; 0 always gets one.
     pub rank: u8,
@@ -26,37 +27,167 @@ pub struct LandmarkLabel {
 /// Parts of the screen that names must not cover, and lines that they must not cross, by their ends.
 pub type BusyScreen<'a> = (&'a [Rect], &'a [[Pos2; 2]]);
 
-/// Writes each name beside its landmark where nothing else is; names without a place are left out.
-pub fn paint_labels(
-    painter: &Painter,
+/// Size that no name is smaller than, points: where that has no place, no name has, and none is laid out.
+const LEAST: Vec2 = vec2(3.0, 9.0);
+
+/// All on which the places of names depend.
+#[derive(Clone, Debug, PartialEq)]
+struct LabelQuestion {
     screen: Rect,
-    mut labels: Vec<LandmarkLabel>,
-    (covered, lines): BusyScreen<'_>,
-    tokens: &Tokens,
-) {
-    sort(&mut labels, &|a, b| a.rank.cmp(&b.rank));
-    let boxes: Vec<Rect> = labels.iter().map(|label| label.around).collect();
-    let mut taken: Vec<Rect> = covered.to_vec();
-    for label in labels {
-        let galley = painter.layout_no_wrap(label.text.clone(), tokens.small(), label.color);
-        let free =
-            |rect: Rect| screen.contains_rect(rect) && taken.iter().all(|t| !t.intersects(rect));
-        let clear = |rect: Rect| {
-            !lines.iter().any(|line| is_crossed(rect, *line))
-                && !boxes
-                    .iter()
-                    .any(|it| *it != label.around && it.intersects(rect))
-        };
-        if let Some((place, align)) = place(&label, galley.size(), &free, &clear) {
-            taken.push(paint_halo_text(
-                painter,
-                place,
-                align,
-                &label.text,
-                tokens.small(),
-                label.color,
-            ));
+    labels: Vec<LandmarkLabel>,
+    covered: Vec<Rect>,
+    lines: Vec<[Pos2; 2]>,
+}
+
+/// Names on the map where nothing else is, placed anew only once names, view or what covers the map change.
+#[derive(Debug, Default)]
+pub struct PlacedLabels {
+    of: Option<LabelQuestion>,
+    /// Names that have a place, by their number, with the place.
+    placed: Vec<(usize, Pos2, Align2)>,
+    /// Number of names that were laid out so far to know their size.
+    laid_out: usize,
+}
+
+impl PlacedLabels {
+    /// Writes each name beside its landmark where nothing else is; names without a place are left out.
+    pub fn paint(
+        &mut self,
+        painter: &Painter,
+        screen: Rect,
+        labels: Vec<LandmarkLabel>,
+        (covered, lines): BusyScreen<'_>,
+        tokens: &Tokens,
+    ) {
+        let is_known = self.of.as_ref().is_some_and(|of| {
+            of.screen == screen && of.labels == labels && of.covered == covered && of.lines == lines
+        });
+        if !is_known {
+            let of = LabelQuestion {
+                screen,
+                labels,
+                covered: covered.to_vec(),
+                lines: lines.to_vec(),
+            };
+            self.placed = of.answer(&mut |label| {
+                self.laid_out += 1;
+                let text = label.text.clone();
+                let galley = painter.layout_no_wrap(text, tokens.small(), label.color);
+                galley.size()
+            });
+            self.of = Some(of);
         }
+        let Some(of) = &self.of else { return };
+        for (number, at, align) in &self.placed {
+            let label = &of.labels[*number];
+            let font = tokens.small();
+            paint_halo_text(painter, *at, *align, &label.text, font, label.color);
+        }
+    }
+}
+
+impl LabelQuestion {
+    /// Places of the names that have one, in the order of their ranks; `size` lays a name out.
+    fn answer(&self, size: &mut dyn FnMut(&LandmarkLabel) -> Vec2) -> Vec<(usize, Pos2, Align2)> {
+        let screen = self.screen;
+        let mut taken = ScreenCells::new(screen);
+        self.covered.iter().for_each(|it| taken.add(*it, *it));
+        let mut boxes = ScreenCells::new(screen);
+        for label in &self.labels {
+            boxes.add(label.around, label.around);
+        }
+        let mut lines = ScreenCells::new(screen);
+        for line in &self.lines {
+            lines.add_where(Rect::from_two_pos(line[0], line[1]), *line, |cell| {
+                is_crossed(cell, *line)
+            });
+        }
+        let mut order: Vec<usize> = (0..self.labels.len()).collect();
+        sort(&mut order, &|a, b| {
+            let rank = |number: &usize| self.labels[*number].rank;
+            rank(a).cmp(&rank(b))
+        });
+        let mut placed = Vec::new();
+        for number in order {
+            let label = &self.labels[number];
+            let free = |rect: Rect| {
+                screen.contains_rect(rect) && !taken.any(rect, |it| it.intersects(rect))
+            };
+            let clear = |rect: Rect| {
+                let is_other = |it: &Rect| *it != label.around && it.intersects(rect);
+                !lines.any(rect, |line| is_crossed(rect, *line)) && !boxes.any(rect, is_other)
+            };
+            if place(label, LEAST, &free, &clear).is_none() {
+                continue;
+            }
+            let size = size(label);
+            if let Some((at, align)) = place(label, size, &free, &clear) {
+                let written = halo_rect(align.anchor_size(at, size));
+                placed.push((number, at, align));
+                taken.add(written, written);
+            }
+        }
+        placed
+    }
+}
+
+/// Side of the cells by which things on the screen are found, points.
+const CELL: f32 = 64.0;
+
+/// Things on the screen, by the cells that they touch.
+struct ScreenCells<T> {
+    screen: Rect,
+    columns: usize,
+    rows: usize,
+    cells: Vec<Vec<T>>,
+}
+
+impl<T: Copy> ScreenCells<T> {
+    fn new(screen: Rect) -> Self {
+        let count = |length: f32| (length / CELL).clamp(0.0, 1000.0) as usize + 1;
+        let (columns, rows) = (count(screen.width()), count(screen.height()));
+        Self {
+            screen,
+            columns,
+            rows,
+            cells: vec![Vec::new(); columns * rows],
+        }
+    }
+
+    /// Columns and rows of the cells that a rectangle touches; what lies beyond the screen is in those at its rim.
+    fn range(&self, rect: Rect) -> [std::ops::RangeInclusive<usize>; 2] {
+        let cell = |length: f32, count: usize| ((length / CELL).max(0.0) as usize).min(count - 1);
+        let (min, max) = (rect.min - self.screen.min, rect.max - self.screen.min);
+        [
+            cell(min.x, self.columns)..=cell(max.x, self.columns),
+            cell(min.y, self.rows)..=cell(max.y, self.rows),
+        ]
+    }
+
+    fn add(&mut self, rect: Rect, thing: T) {
+        self.add_where(rect, thing, |_| true);
+    }
+
+    /// Adds a thing to those of the cells in a rectangle that it touches. Cells at the rim reach beyond the screen.
+    fn add_where(&mut self, rect: Rect, thing: T, touches: impl Fn(Rect) -> bool) {
+        let [columns, rows] = self.range(rect);
+        for row in rows {
+            for column in columns.clone() {
+                let corner = self.screen.min + CELL * vec2(column as f32, row as f32);
+                if touches(Rect::from_min_size(corner, vec2(CELL, CELL))) {
+                    self.cells[row * self.columns + column].push(thing);
+                }
+            }
+        }
+    }
+
+    /// Whether something in the cells that a rectangle touches is so.
+    fn any(&self, rect: Rect, is_so: impl Fn(&T) -> bool) -> bool {
+        let [columns, rows] = self.range(rect);
+        rows.into_iter().any(|row| {
+            let row = &self.cells[row * self.columns..][..self.columns];
+            row[columns.clone()].iter().flatten().any(&is_so)
+        })
     }
 }
 
@@ -154,6 +285,95 @@ mod tests {
         let everything = Rect::from_min_max(pos2(0.0, 0.0), pos2(400.0, 400.0));
         assert_eq!(placed(1, &[everything], &[]), None);
         assert_eq!(placed(0, &[everything], &[]), Some(Align2::CENTER_BOTTOM));
+    }
+
+    /// Names of boxes that lie close, and lines between them, on a screen of 1000 by 700 points.
+    fn crowd(count: usize) -> LabelQuestion {
+        let at = |number: usize, by: f32, length: f32| (number as f32 * by).rem_euclid(length);
+        let labels = (0..count).map(|number| {
+            let middle = pos2(
+                at(number, 617.3, 1040.0) - 20.0,
+                at(number, 271.7, 740.0) - 20.0,
+            );
+            let around = Rect::from_center_size(middle, vec2(6.0, 6.0));
+            LandmarkLabel {
+                rank: [POSSIBLE, POSSIBLE, 2, 1, POSSIBLE][number % 5],
+                around,
+                top: around.center_top(),
+                text: format!("Landmark {number}"),
+                color: Color32::WHITE,
+            }
+        });
+        let line = |number: usize| {
+            [
+                pos2(at(number, 331.0, 1000.0), -50.0),
+                pos2(900.0, at(number, 97.0, 700.0)),
+            ]
+        };
+        LabelQuestion {
+            screen: Rect::from_min_size(pos2(0.0, 0.0), vec2(1000.0, 700.0)),
+            labels: labels.collect(),
+            covered: vec![Rect::from_min_size(pos2(16.0, 16.0), vec2(300.0, 60.0))],
+            lines: (0..5).map(line).collect(),
+        }
+    }
+
+    /// The size of names of so many letters, about.
+    fn size_of(label: &LandmarkLabel) -> Vec2 {
+        vec2(6.0 * label.text.len() as f32, 14.0)
+    }
+
+    #[test]
+    fn names_are_placed_as_if_each_was_held_against_all_others() {
+        let of = crowd(400);
+        let mut order: Vec<usize> = (0..of.labels.len()).collect();
+        order.sort_by_key(|number| of.labels[*number].rank);
+        let mut taken = of.covered.clone();
+        let mut wanted = Vec::new();
+        for number in order {
+            let label = &of.labels[number];
+            let free = |rect: Rect| {
+                of.screen.contains_rect(rect) && taken.iter().all(|it| !it.intersects(rect))
+            };
+            let is_other = |it: &&LandmarkLabel| it.around != label.around;
+            let others = || of.labels.iter().filter(is_other);
+            let clear = |rect: Rect| {
+                !of.lines.iter().any(|line| is_crossed(rect, *line))
+                    && !others().any(|it| it.around.intersects(rect))
+            };
+            if let Some((at, align)) = place(label, size_of(label), &free, &clear) {
+                taken.push(halo_rect(align.anchor_size(at, size_of(label))));
+                wanted.push((number, at, align));
+            }
+        }
+        assert!(wanted.len() > 20, "{}", wanted.len());
+        assert_eq!(of.answer(&mut size_of), wanted);
+    }
+
+    #[test]
+    fn ten_thousand_names_are_placed_once_and_few_of_them_are_laid_out() {
+        let context = egui::Context::default();
+        let mut names = PlacedLabels::default();
+        let mut of = crowd(10_000);
+        let counts = [0.0_f32, 0.0, 0.0, 3.0, 3.0].map(|moved| {
+            if moved > 0.0 {
+                of = crowd(10_000);
+                of.labels.iter_mut().for_each(|it| it.around.min.x -= moved);
+            }
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                let busy = (&of.covered[..], &of.lines[..]);
+                let labels = of.labels.clone();
+                names.paint(ui.painter(), of.screen, labels, busy, &Tokens::dark());
+            });
+            output.textures_delta.clear();
+            names.laid_out
+        });
+        assert!(counts[0] > 0 && counts[0] < 6_000, "{counts:?}");
+        assert_eq!(counts[0], counts[2], "nothing changed");
+        assert!(
+            counts[3] > counts[2] && counts[4] == counts[3],
+            "{counts:?}"
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::{CandidateReport, Outcome, StepReport};
 
-use super::labels::{LandmarkLabel, POSSIBLE, paint_labels};
+use super::labels::{LandmarkLabel, POSSIBLE, PlacedLabels};
 use super::symbols::paint_lifted_line;
 use super::transform::{ScreenFromWorld, topmost};
 use crate::tokens::Tokens;
@@ -64,13 +64,13 @@ pub struct LandmarkScene<'a> {
     pub lines_drawn: f32,
 }
 
-/// Draws all landmarks, and names of theirs and of other things (`labels`).
+/// Draws all landmarks, and names of theirs and of other things (`labels`) where they were `placed` or have a place now.
 pub fn paint_landmarks(
     painter: &Painter,
     view: &ScreenFromWorld,
     screen: Rect,
     scene: &LandmarkScene<'_>,
-    mut labels: Vec<LandmarkLabel>,
+    (mut labels, placed): (Vec<LandmarkLabel>, &mut PlacedLabels),
     tokens: &Tokens,
 ) {
     let room = screen.expand(32.0);
@@ -115,13 +115,8 @@ pub fn paint_landmarks(
             });
         }
     }
-    paint_labels(
-        painter,
-        screen,
-        labels,
-        (scene.covered, scene.lines),
-        tokens,
-    );
+    let busy = (scene.covered, scene.lines);
+    placed.paint(painter, screen, labels, busy, tokens);
 }
 
 fn color_of(state: LandmarkState, tokens: &Tokens) -> Color32 {

@@ -209,7 +209,12 @@ pub fn paint_halo_text(
     let galley = painter.layout_no_wrap(text.to_owned(), font, color);
     let rect = align.anchor_size(at, galley.size());
     let halo = Color32::from_black_alpha(150);
-    painter.rect_filled(rect.expand2(Vec2::new(4.0, 1.0)), 3.0, halo);
+    painter.rect_filled(halo_rect(rect), 3.0, halo);
     painter.galley(rect.min, galley, color);
-    rect.expand2(Vec2::new(4.0, 1.0))
+    halo_rect(rect)
+}
+
+/// Part of the screen that words with a halo cover, by that of the words.
+pub fn halo_rect(words: egui::Rect) -> egui::Rect {
+    words.expand2(Vec2::new(4.0, 1.0))
 }

@@ -9,7 +9,7 @@ use super::correction::{ShownBelief, shown_belief};
 use super::furniture::{
     LensScene, coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
-use super::labels::LandmarkLabel;
+use super::labels::{LandmarkLabel, PlacedLabels};
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
@@ -112,6 +112,8 @@ pub struct MapView {
     covering: Vec<Rect>,
 }
 
+    /// Names on the map.
+    names: PlacedLabels,
 /// Place at which the map is looked at.
 #[derive(Clone, Debug)]
 struct MapPlace {
@@ -448,7 +450,8 @@ impl MapView {
                 lines_from: aircraft.filter(|_| shows(Layer::Matches)),
                 lines_drawn: belief.map_or(1.0, |(belief, _)| belief.share),
             };
-            paint_landmarks(painter, view, rect, &scene, labels, tokens);
+            let names = (labels, &mut self.names);
+            paint_landmarks(painter, view, rect, &scene, names, tokens);
         }
         let Some((belief, step)) = belief else {
             return;
