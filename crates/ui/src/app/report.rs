@@ -196,6 +196,7 @@ impl Report<'_> {
                 "metres_per_point": map.camera.metres_per_point,
                 "up": map.camera.up,
                 "picking": map.picking,
+                "middle": map.marks_middle(),
                 "follow": map.follow,
                 "track_up": map.track_up,
                 "tiles": map.tiles.count(),

@@ -62,6 +62,10 @@ impl MapTool for Georeferencer {
         false
     }
 
+    fn takes_middle(&self, has_keyboard: bool) -> bool {
+        has_keyboard
+    }
+
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {
         if stage != MapStage::Last {
             return;

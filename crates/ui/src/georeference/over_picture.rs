@@ -9,24 +9,12 @@ use pilotage_core::frames::GroundPoint;
 
 use super::Georeferencer;
 use super::marks::{nearest, paint_pending, paint_point, stretch};
-use crate::map::{ScreenFromWorld, arrow_way, paint_halo_text, tool_keys};
+use crate::map::{ScreenFromWorld, arrow_way, paint_halo_text, paint_middle, tool_keys};
 use crate::shell::paint_focus_ring;
 use crate::tokens::Tokens;
 
 /// Factor by which a key brings the picture closer.
 const CLOSER: f64 = 1.5;
-/// Half the length of the lines that mark the middle, points.
-const MIDDLE: f32 = 9.0;
-
-/// Marks the middle of the picture's part of the screen, which Enter picks.
-fn paint_middle(painter: &Painter, rect: Rect, tokens: &Tokens) {
-    let middle = rect.center();
-    for (width, color) in [(4.0, tokens.outline()), (1.5, tokens.sigma)] {
-        for way in [vec2(MIDDLE, 0.0), vec2(0.0, MIDDLE)] {
-            painter.line_segment([middle - way, middle + way], (width, color));
-        }
-    }
-}
 
 /// A pixel on the bare picture's ground, where a pixel is a metre and the first row lies in the north.
 pub fn ground_of_pixel(pixel: &Point2<f64>) -> GroundPoint {
@@ -79,7 +67,7 @@ impl Georeferencer {
         self.paint_points(&painter, &view, tokens);
         if response.has_focus() {
             paint_focus_ring(&painter, rect.shrink(1.0), tokens);
-            paint_middle(&painter, rect, tokens);
+            paint_middle(&painter, rect.center(), tokens);
         }
         if let Some(at) = response.hover_pos() {
             let pixel = pixel_of_ground(&view.inverse(at));

@@ -1,13 +1,20 @@
 //! Pointer and keyboard on the map.
 
-use egui::{CursorIcon, Key, PointerButton, Rect, Response, Ui};
+use egui::{CursorIcon, Key, Painter, PointerButton, Rect, Response, StrokeKind, Ui};
 
 use super::picking::{Drag, SMALLEST, box_between, handle_at, landmark_at, moved, resized};
+use super::symbols::paint_middle;
 use super::tool::{arrow_way, tool_keys};
 use super::view::MapView;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::paint_focus_ring;
+use crate::tokens::Tokens;
+
+/// Part of the screen whose ground Enter takes as the box of a landmark.
+fn box_in_the_middle(rect: Rect) -> Rect {
+    Rect::from_center_size(rect.center(), egui::vec2(48.0, 36.0))
+}
 
 impl MapView {
     pub(super) fn interact(
@@ -128,9 +135,9 @@ impl MapView {
             ui.ctx().request_repaint();
         }
         if enter && self.picking {
-            let half = egui::vec2(24.0, 18.0);
             let view = self.camera.screen_from_world(rect);
-            let (a, b) = (view.inverse(middle - half), view.inverse(middle + half));
+            let taken = box_in_the_middle(rect);
+            let (a, b) = (view.inverse(taken.min), view.inverse(taken.max));
             context
                 .commands
                 .push(Command::AddLandmark(box_between(a, b)));
@@ -158,6 +165,32 @@ impl MapView {
         if response.has_focus() {
             paint_focus_ring(ui.painter(), rect.shrink(1.0), context.tokens);
             self.arrow_keys(ui, rect, response);
+        }
+    }
+
+    /// Marks what a key takes in the middle of the map: a place for one of the tools, or a box; not while the pointer is
+    /// there and something else has the keyboard.
+    pub(super) fn mark_middle(
+        &mut self,
+        painter: &Painter,
+        response: &Response,
+        takes: impl Fn(bool) -> bool,
+        tokens: &Tokens,
+    ) {
+        let focused = response.ctx.memory(egui::Memory::focused);
+        let has_keyboard = response.has_focus();
+        let is_asked = has_keyboard || focused.is_none() && !response.hovered() && !tokens.touch;
+        self.marks_middle = is_asked && (self.picking || takes(has_keyboard));
+        if !self.marks_middle {
+            return;
+        }
+        if self.picking {
+            let taken = box_in_the_middle(response.rect);
+            for (width, color) in [(4.0, tokens.outline()), (1.5, tokens.sigma)] {
+                painter.rect_stroke(taken, 0.0, (width, color), StrokeKind::Middle);
+            }
+        } else {
+            paint_middle(painter, response.rect.center(), tokens);
         }
     }
 

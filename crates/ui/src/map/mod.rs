@@ -36,7 +36,9 @@ pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};
 pub use look_alike::LookAlikeOnMap;
 pub(crate) use other_world::{carry, distance_over_ground, is_in_reach, world_reach};
-pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
+pub(crate) use symbols::{
+    ellipse, paint_halo_text, paint_lifted_line, paint_middle, paint_tried_footprint,
+};
 pub use tiles::{TILES_AT_A_TIME, TileCache, TileKey};
 pub use tool::{MapCanvas, MapStage, MapTool};
 pub(crate) use tool::{arrow_way, drag_origin, tool_keys};

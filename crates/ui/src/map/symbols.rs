@@ -197,6 +197,18 @@ pub fn paint_lifted_line(
     painter.line_segment(ends, Stroke::new(width, color));
 }
 
+/// Half the length of the lines that mark the middle of a view, points.
+const MIDDLE: f32 = 9.0;
+
+/// Marks the middle of a view, which a key takes.
+pub fn paint_middle(painter: &Painter, middle: Pos2, tokens: &Tokens) {
+    for (width, color) in [(4.0, tokens.outline()), (1.5, tokens.sigma)] {
+        for way in [Vec2::new(MIDDLE, 0.0), Vec2::new(0.0, MIDDLE)] {
+            painter.line_segment([middle - way, middle + way], (width, color));
+        }
+    }
+}
+
 /// Text with a dark halo, to be read on any ground.
 pub fn paint_halo_text(
     painter: &Painter,

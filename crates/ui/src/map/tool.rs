@@ -64,6 +64,11 @@ pub trait MapTool {
         context: &mut ViewContext<'_>,
     ) -> bool;
 
+    /// Whether a key takes the middle of the map, now that the map has the keyboard (`has_keyboard`) or nobody has it.
+    fn takes_middle(&self, _has_keyboard: bool) -> bool {
+        false
+    }
+
     /// Names that find their places together with those of landmarks.
     fn labels(&self, _canvas: &MapCanvas<'_>) -> Vec<LandmarkLabel> {
         Vec::new()

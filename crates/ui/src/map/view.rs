@@ -79,6 +79,8 @@ pub struct MapView {
     pub follow: bool,
     /// Whether the next drag draws a landmark.
     pub picking: bool,
+    /// Whether it is marked what a key takes in the middle.
+    pub(super) marks_middle: bool,
     /// Whether a place of the flight that is open was chosen for it, to be fitted to nothing else.
     pub is_placed: bool,
     /// Whether the map that is open is to be shown whole once it is known how far it reaches.
@@ -110,10 +112,10 @@ pub struct MapView {
     /// Parts of the map that panels cover: names of landmarks keep away from them.
     covered: Vec<Rect>,
     covering: Vec<Rect>,
-}
-
     /// Names on the map.
     names: PlacedLabels,
+}
+
 /// Place at which the map is looked at.
 #[derive(Clone, Debug)]
 struct MapPlace {
@@ -185,6 +187,11 @@ impl MapView {
     /// Says that a panel covers this part of the map, until the map is drawn anew.
     pub fn cover(&mut self, rect: Rect) {
         self.covering.push(rect);
+    }
+
+    /// Whether it is marked what a key takes in the middle of the map.
+    pub fn marks_middle(&self) -> bool {
+        self.marks_middle
     }
 
     /// Part of the screen on which the map was drawn last.
@@ -269,6 +276,8 @@ impl MapView {
         paint_tool(self, MapStage::AboveMarks);
         paint_tool(self, MapStage::Last);
         self.paint_drawing(&painter, &view, &response, context);
+        let takes = |has_keyboard| tools.last().is_some_and(|it| it.takes_middle(has_keyboard));
+        self.mark_middle(&painter, &response, takes, tokens);
         self.paint_furniture(&painter, &view, belief.as_ref(), context, extra, &response);
         self.legend(ui, rect, context);
         context.tokens = theme;

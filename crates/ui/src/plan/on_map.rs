@@ -5,6 +5,7 @@ use egui::{Response, Ui};
 use super::find_command::FindPick;
 use super::find_tool::paint_hint;
 use super::incursions::paint_incursions;
+use super::marking::Marking;
 use super::marks::{mark_labels, other_route_labels};
 use super::no_fly_paint::{no_fly_labels, paint_no_fly};
 use super::planner::Planner;
@@ -34,6 +35,13 @@ impl MapTool for Planner {
         let is_busy = pointer.interact(ui, view, response, self, context);
         self.pointer = pointer;
         is_busy
+    }
+
+    fn takes_middle(&self, _has_keyboard: bool) -> bool {
+        let is_point = |marking: &Marking| marking.purpose.is_point();
+        self.drawing
+            || self.finder.pick != FindPick::Nothing
+            || self.marking.as_ref().is_some_and(is_point)
     }
 
     fn labels(&self, canvas: &MapCanvas<'_>) -> Vec<LandmarkLabel> {

@@ -140,6 +140,10 @@ impl MapTool for Roads {
         false
     }
 
+    fn takes_middle(&self, has_keyboard: bool) -> bool {
+        has_keyboard && (self.drawing.is_some() || self.point.is_some())
+    }
+
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {
         if stage != MapStage::Last {
             return;

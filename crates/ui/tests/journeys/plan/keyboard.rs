@@ -54,3 +54,35 @@ fn delete_on_a_row_deletes_one_way_point_and_not_the_route_with_it() {
     let left = rig.state()["plan"]["routes"].clone();
     assert_eq!(left.as_array().map(Vec::len), Some(0));
 }
+
+#[test]
+fn the_place_that_enter_takes_is_marked_on_the_map() {
+    let mut rig = planning();
+    let is_marked = |rig: &super::Rig| rig.state()["map"]["middle"] == true;
+    let focus = |rig: &mut super::Rig| {
+        rig.harness
+            .get_by_role_and_label(egui::accesskit::Role::Canvas, "Map")
+            .focus();
+        rig.frames(2);
+    };
+    focus(&mut rig);
+    assert!(!is_marked(&rig), "nothing takes it");
+    rig.key_with(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    focus(&mut rig);
+    assert!(is_marked(&rig), "an end of a route to be found");
+    rig.key(Key::Escape);
+    rig.frames(2);
+    assert!(!is_marked(&rig));
+    rig.key(Key::N);
+    focus(&mut rig);
+    assert!(is_marked(&rig), "the box of a landmark");
+    rig.key(Key::Enter);
+    rig.frames(3);
+    assert!(!is_marked(&rig));
+    rig.key(Key::Escape);
+    rig.frames(2);
+    rig.key(Key::W);
+    focus(&mut rig);
+    assert!(is_marked(&rig), "a way-point");
+}
