@@ -6,7 +6,6 @@ use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
 use super::PlanCommand;
 use super::legs::time_text;
-use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::NumberField;
 
@@ -194,7 +193,7 @@ pub fn ends(ui: &mut Ui, route: &Route, context: &mut ViewContext<'_>) {
         let mut checked = on;
         let field = egui::Checkbox::new(&mut checked, label);
         if ui.add_enabled(enabled, field).changed() {
-            context.commands.push(Command::from(command));
+            context.commands.push(command.of(route.id).into());
         }
     }
 }

@@ -51,6 +51,9 @@ pub enum RallyChange {
 /// Something to do in the Plan workspace. Way-points are those of the selected route, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanCommand {
+    /// Something about the route with an id that is otherwise about the selected one: views give it for the route that
+    /// they show, whichever is selected once it is carried out.
+    OfRoute(u32, Box<PlanCommand>),
     /// Begin to draw a new route, or finish it.
     ToggleDraw,
     /// Finish drawing.
@@ -237,6 +240,28 @@ pub enum PlanCommand {
     CancelMarking,
     /// Print the selected route with its map, legs, landmarks and prediction.
     PrintBrief,
+}
+
+impl PlanCommand {
+    /// The same about a route, whichever is selected.
+    pub fn of(self, route: u32) -> Self {
+        Self::OfRoute(route, Box::new(self))
+    }
+
+    /// Whether it is about a way-point by its number, which is another one's once way-points came or went.
+    pub(super) fn is_of_way_point(&self) -> bool {
+        match self {
+            Self::OfRoute(_, command) => command.is_of_way_point(),
+            Self::MoveWayPoint { .. }
+            | Self::InsertWayPoint { .. }
+            | Self::SetSpeed { .. }
+            | Self::SetAction { .. }
+            | Self::SelectWayPoint(Some(_))
+            | Self::DeleteWayPoint(Some(_))
+            | Self::SetAltitude { index: Some(_), .. } => true,
+            _ => false,
+        }
+    }
 }
 
 impl From<PlanCommand> for Command {

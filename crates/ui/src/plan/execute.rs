@@ -32,6 +32,12 @@ impl Planner {
         if !context.is_shown {
             context.show();
         }
+        let command = match command {
+            PlanCommand::OfRoute(route, command) => {
+                return self.carry_out_of(route, *command, context);
+            }
+            other => other,
+        };
         let left = self.edit_landmarks(command, context);
         let left = left.and_then(|command| edit_rally_points(command, context));
         let left = left.and_then(|command| self.measure(command, context));
@@ -100,7 +106,8 @@ impl Planner {
                 return self.edit_route(command, context);
             }
             // Done above, or by nobody.
-            PlanCommand::Assess(_)
+            PlanCommand::OfRoute(..)
+            | PlanCommand::Assess(_)
             | PlanCommand::AssessSelected
             | PlanCommand::AssessAll
             | PlanCommand::SurveyEnvelope
@@ -123,6 +130,26 @@ impl Planner {
             | PlanCommand::ToggleProfile
             | PlanCommand::TestAhead(_)
             | PlanCommand::ShowTab(_) => return false,
+        }
+        true
+    }
+
+    /// Carries a command about a route out; the route that is selected otherwise stays so.
+    fn carry_out_of(
+        &mut self,
+        route: u32,
+        command: PlanCommand,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
+        let before = (context.documents.mission.route, self.way_point);
+        if before.0 == Some(route) {
+            return self.carry_out(command, context);
+        }
+        // None of that id: it was deleted meanwhile.
+        if route_of(&context.documents.mission, route).is_some() {
+            context.documents.mission.route = Some(route);
+            self.carry_out(command, context);
+            (context.documents.mission.route, self.way_point) = before;
         }
         true
     }

@@ -43,7 +43,7 @@ impl Feature for Planner {
         };
         // Undo in the same frame came first: the number is that of another way-point.
         let is_of_before = self.counted != count(context.documents);
-        if is_of_before && matches!(command, PlanCommand::MoveWayPoint { .. }) {
+        if is_of_before && command.is_of_way_point() {
             return true;
         }
         let is_done = self.carry_out(command, context);

@@ -6,7 +6,6 @@ use pilotage_core::mission::Route;
 use super::button::button;
 use super::command::PlanCommand;
 use super::patterns::{CoveredGround, PassCircumstances, Pattern};
-use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{NumberField, caption, counted, icon_button, icons::Icon, muted};
 use crate::units::direction;
@@ -100,6 +99,7 @@ pub fn pattern_card(
             pattern: Box::new(pattern.clone()),
             finished: true,
         };
+        let set = set.of(route.id);
         button(ui, context, None, "Lay the passes anew", true, set);
     }
     if next != *pattern {
@@ -107,7 +107,7 @@ pub fn pattern_card(
             pattern: Box::new(next),
             finished,
         };
-        context.commands.push(Command::from(set));
+        context.commands.push(set.of(route.id).into());
     }
 }
 

@@ -10,7 +10,6 @@ use super::command::{AreaChange, RallyChange};
 use super::hit::{AreaCorner, Hit, PlanPointer};
 use super::planner::Planner;
 use super::tab::PlanTab;
-use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;
 use crate::map::{ScreenFromWorld, drag_origin, tool_keys};
@@ -124,7 +123,13 @@ impl PlanPointer {
     ) -> bool {
         let mission = context.mission;
         let selected = context.selected_route();
-        let mut say = |command| context.commands.push(Command::from(command));
+        let mut say = |command: PlanCommand| {
+            let command = match selected.filter(|_| command.is_of_way_point()) {
+                Some(route) => command.of(route.id),
+                None => command,
+            };
+            context.commands.push(command.into());
+        };
         let landmark = context.selection.and_then(|id| mission.landmark(id));
         let under = |at: Pos2| hit(mission, selected, planner, landmark, view, at);
         let at = response.interact_pointer_pos();

@@ -212,12 +212,12 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
                 ("Survey an area", PlanCommand::Mark(Purpose::Survey), true),
                 (
                     "Corridor along this route",
-                    PlanCommand::CorridorAlong,
+                    PlanCommand::CorridorAlong.of(route.id),
                     true,
                 ),
                 (
                     "Edit the pattern's way-points",
-                    PlanCommand::ReleasePattern,
+                    PlanCommand::ReleasePattern.of(route.id),
                     released,
                 ),
             ] {
@@ -237,7 +237,7 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
             (Icon::Trash, "Delete the route", PlanCommand::DeleteRoute),
         ] {
             if icon_button(ui, tokens, icon, label).clicked() {
-                say.push(command);
+                say.push(command.of(route.id));
             }
         }
     });

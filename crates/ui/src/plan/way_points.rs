@@ -164,7 +164,7 @@ fn row(
     }
     if response.clicked() {
         let which = (!chosen).then_some(index);
-        let command = PlanCommand::SelectWayPoint(which);
+        let command = PlanCommand::SelectWayPoint(which).of(route.id);
         context.commands.push(Command::from(command));
     }
     if response.has_focus() {
@@ -246,7 +246,7 @@ fn keyboard(ui: &Ui, widget: egui::Id, route: &Route, index: usize, context: &mu
             i.consume_key(Modifiers::NONE, Key::Delete),
         )
     });
-    let mut say = |command| context.commands.push(Command::from(command));
+    let mut say = |command: PlanCommand| context.commands.push(command.of(route.id).into());
     let at = route.way_points[index].position;
     if north != 0.0 || east != 0.0 {
         say(PlanCommand::MoveWayPoint {
@@ -367,7 +367,8 @@ fn selected(
         ui.label(muted(tokens, place));
     });
     ui.add_space(4.0);
-    context.commands.extend(say.into_iter().map(Command::from));
+    let said = say.into_iter().map(|it| it.of(route.id).into());
+    context.commands.extend(said);
 }
 
 fn altitude(
