@@ -1,6 +1,6 @@
 //! Judgement of a detector where it was not trained: asked for, taken.
 
-use pilotage_core::landmark::Landmark;
+use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::FrameLabels;
 use pilotage_core::plan::Proposal;
 use pilotage_jobs::{
@@ -44,8 +44,11 @@ impl Judgement {
         };
         self.is_open = true;
         let of = judging(&landmark, context.documents);
-        let is_known = self.of.as_ref() == Some(&of);
+        let is_known = self.of.as_ref().is_some_and(|known| is_alike(known, &of));
         if is_known && (self.job.is_some() || self.is_whole()) {
+            if let Some(report) = &mut self.report {
+                report.name = landmark.name;
+            }
             return;
         }
         self.stop(context);
@@ -112,6 +115,19 @@ impl Judgement {
             "progress": progress.map(|(_, part, words)| object!({"part": part, "words": words})),
         })
     }
+}
+
+/// Whether both judge one detector by the same pictures, whatever its landmark is called and whether it is used.
+fn is_alike(a: &EvaluationOrder, b: &EvaluationOrder) -> bool {
+    let bare = |order: &EvaluationOrder| {
+        let mut bare = order.clone();
+        let landmark = &mut bare.about.landmark;
+        landmark.choose_detector(DetectorChoice::Cascade);
+        *landmark = landmark.looked_for();
+        landmark.enabled = true;
+        bare
+    };
+    bare(a) == bare(b)
 }
 
 /// Order to judge the detector of a landmark: on generated days and, where the flight was recorded, on its pictures.

@@ -241,10 +241,12 @@ impl Planner {
         tested.unwrap_or_else(|| DetectionStatistics::everywhere(self.untested.expected()))
     }
 
-    /// The landmarks that are switched on, with what is expected of them.
+    /// The landmarks that are switched on, as they are looked for, with what is expected of them.
     pub fn expected_landmarks(&self, mission: &Mission) -> Vec<(Landmark, DetectionStatistics)> {
         let enabled = mission.landmarks.iter().filter(|l| l.enabled);
-        enabled.map(|l| (l.clone(), self.expected(l))).collect()
+        enabled
+            .map(|l| (l.looked_for(), self.expected(l)))
+            .collect()
     }
 
     /// Order of the prediction of the selected route; `None` while it is none that can be flown.

@@ -164,7 +164,10 @@ impl Planner {
             .collect();
         sort(&mut order, &|a, b| a.0.total_cmp(&b.0));
         let landmarks = order.iter().take(MOST_LANDMARKS);
-        let landmarks = landmarks.map(|(_, index)| of(&shown.order.landmarks[*index].0));
+        let landmarks = landmarks.filter_map(|(_, index)| {
+            let id = shown.order.landmarks[*index].0.id;
+            documents.mission.landmark(id).map(of)
+        });
         let more = order.len().saturating_sub(MOST_LANDMARKS);
         (landmarks.collect(), more)
     }

@@ -108,6 +108,23 @@ fn evaluate(rig: &mut Rig) -> Vec<JobId> {
     jobs.map(|(id, _)| *id).collect()
 }
 
+/// Gives the first landmark another name.
+fn rename(rig: &mut Rig, name: &str) {
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Barn").click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Name of the selected landmark")
+        .focus();
+    rig.key_with(Modifiers::COMMAND, Key::A);
+    rig.harness.event(egui::Event::Text(name.into()));
+    rig.key(Key::Enter);
+    rig.frames(2);
+    assert_eq!(rig.state()["landmarks"][0]["name"], name);
+    rig.key(Key::Escape);
+    rig.frames(2);
+}
+
 #[test]
 fn a_detector_is_evaluated_once_and_what_came_of_it_goes_with_the_flight() {
     let mut rig = rig();
@@ -146,6 +163,10 @@ fn a_detector_is_evaluated_once_and_what_came_of_it_goes_with_the_flight() {
     rig.frames(2);
     assert_eq!(rig.state()["detector"]["evaluation"]["open"], false);
     assert_eq!(evaluate(&mut rig), [job], "it is known");
+    rig.key(Key::Escape);
+    rig.frames(2);
+    rename(&mut rig, "Old barn");
+    assert_eq!(evaluate(&mut rig), [job], "a name is no reason");
     rig.key(Key::Escape);
     rig.frames(2);
     // With another tilt of the camera it is not.

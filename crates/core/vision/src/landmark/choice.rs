@@ -1,5 +1,7 @@
 //! By which detector a landmark is looked for, and what was trained for it.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -98,6 +100,33 @@ impl Landmark {
     pub fn untrained(&self) -> Self {
         let mut landmark = self.clone();
         landmark.keep_trained_text(None);
+        landmark
+    }
+
+    /// The landmark as it is looked for: box, reference point, height and the detectors that are in use, without its name
+    /// and what people noted of it. Landmarks of which this is equal are found alike.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_vision::landmark::Landmark;
+    ///
+    /// let bounds = GroundRect::centered(GroundPoint::default(), 20.0, 20.0);
+    /// let barn = Landmark::new(1, "Barn", bounds);
+    /// let mut old_barn = Landmark::new(1, "Old barn", bounds);
+    /// old_barn.set_notes("red roof");
+    /// assert_eq!(barn.looked_for(), old_barn.looked_for());
+    /// ```
+    #[must_use]
+    pub fn looked_for(&self) -> Self {
+        let mut landmark = Self {
+            name: String::new(),
+            properties: BTreeMap::new(),
+            ..self.clone()
+        };
+        if let Some((choice, trained)) = self.detector_in_use() {
+            landmark.choose_detector(choice);
+            landmark.keep_trained_text(Some(trained));
+        }
         landmark
     }
 

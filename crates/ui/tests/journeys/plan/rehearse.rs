@@ -1,4 +1,4 @@
-use egui::Key;
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_jobs::{FlightSource, FlyOrder, Job, RehearseOrder};
 
@@ -60,6 +60,36 @@ fn a_route_is_rehearsed_and_errors_are_told_until_the_plan_changes() {
     assert_eq!(rig.state()["plan"]["rehearsal"]["current"], false);
     rig.harness
         .get_by_label_contains("The plan has changed since");
+}
+
+#[test]
+fn what_a_landmark_is_called_and_what_is_noted_of_it_changes_no_prediction_and_no_rehearsal() {
+    let mut rig = rehearsed(2.0);
+    let jobs = rig.host().jobs.len();
+    rig.harness.get_by_label("Landmarks").click();
+    rig.frames(3);
+    rig.harness
+        .get_by(|n| n.label().is_some_and(|l| l.starts_with("Barn: ")))
+        .click();
+    rig.settle();
+    let field = "Name of the selected landmark";
+    rig.harness.get_by_label(field).focus();
+    rig.frames(2);
+    rig.key_with(Modifiers::COMMAND, Key::A);
+    rig.harness.event(egui::Event::Text("Silo".into()));
+    rig.key(Key::Enter);
+    rig.harness.get_by_label("Category").focus();
+    rig.frames(2);
+    rig.harness.event(egui::Event::Text("building".into()));
+    rig.key(Key::Enter);
+    rig.settle();
+    let landmarks = rig.state()["landmarks"].clone();
+    let words = format!("{landmarks}");
+    assert!(words.contains("Silo"), "{words}");
+    let later = rig.host().jobs[jobs..].iter();
+    let planned = later.filter(|(_, job)| matches!(job, Job::Predict(_) | Job::Rehearse(_)));
+    assert_eq!(planned.count(), 0);
+    assert_eq!(rig.state()["plan"]["rehearsal"]["current"], true);
 }
 
 #[test]
