@@ -22,8 +22,10 @@ impl Planner {
         match command {
             RehearseCommand::Start => {
                 self.tab = PlanTab::Route;
-                if self.order(context.documents).is_some() {
-                    self.rehearsal.want();
+                let route = context.documents.mission.route;
+                let can = self.order(context.documents).is_some();
+                if let Some(route) = route.filter(|_| can) {
+                    self.rehearsal.want(route);
                 } else {
                     let text = "Draw a route of two way-points or more, or select one.";
                     context.note("There is no route to rehearse", text);

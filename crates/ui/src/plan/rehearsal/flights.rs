@@ -83,8 +83,8 @@ pub struct RouteRehearsal {
     /// All of `flown` together.
     summary: Verification,
     trouble: Option<String>,
-    /// Whether flights are to begin as soon as the plan is predicted.
-    wanted: bool,
+    /// Id of the route whose flights are to begin as soon as it is predicted.
+    wanted: Option<u32>,
     /// Number of a prediction, and whether it is of the plan that was flown.
     seen: Option<(u64, bool)>,
     /// Version of what was flown.
@@ -93,14 +93,14 @@ pub struct RouteRehearsal {
 }
 
 impl RouteRehearsal {
-    /// Asks for a rehearsal, which begins once the plan is predicted.
-    pub fn want(&mut self) {
-        self.wanted = true;
+    /// Asks for a rehearsal of a route, which begins once that is predicted.
+    pub fn want(&mut self, route: u32) {
+        self.wanted = Some(route);
     }
 
     /// Stops; what was flown stays.
     pub fn stop(&mut self, context: &mut FeatureContext<'_>) {
-        self.wanted = false;
+        self.wanted = None;
         for flight in self.under_way.drain(..) {
             context.cancel(flight.job);
         }
@@ -115,24 +115,44 @@ impl RouteRehearsal {
         };
     }
 
-    /// Begins what is wanted, and stops flights of a plan that is another by now; true if time must pass first.
+    /// Begins what is wanted, stops flights of a plan that is another by now, and forgets those over another map; true if
+    /// time must pass first.
     pub fn work(
         &mut self,
         forecast: &Forecast,
         preferences: &RehearsalPreferences,
         context: &mut FeatureContext<'_>,
     ) -> bool {
-        self.look_at(forecast, &context.documents.map.source);
+        self.keep_to(context);
+        self.look_at(forecast);
         if !self.is_of_now() && !self.under_way.is_empty() {
             self.stop(context);
         }
         let shown = forecast.shown().filter(|_| forecast.is_fine());
-        let Some(shown) = shown.filter(|_| self.wanted) else {
-            return self.wanted && forecast.trouble().is_none();
+        let is_wanted = self.wanted.is_some();
+        let Some(shown) = shown.filter(|_| is_wanted) else {
+            return is_wanted && forecast.trouble().is_none();
         };
         self.begin(shown, preferences.clone(), context);
-        self.look_at(forecast, &context.documents.map.source);
+        self.look_at(forecast);
         false
+    }
+
+    /// Forgets what was flown over another map, and gives up what is wanted of a route that is selected no more.
+    fn keep_to(&mut self, context: &mut FeatureContext<'_>) {
+        let map = &context.documents.map.source;
+        if self.of.as_ref().is_some_and(|of| of.map != *map) {
+            let wanted = self.wanted;
+            self.forget(context);
+            self.wanted = wanted;
+        }
+        let selected = context.documents.mission.selected_route();
+        let selected = selected.map(|route| route.id);
+        if self.wanted.is_some() && self.wanted != selected {
+            self.wanted = None;
+            let text = "Another route was selected before it was predicted. Rehearse it again.";
+            context.note("The route is not rehearsed", text);
+        }
     }
 
     fn begin(
@@ -169,10 +189,10 @@ impl RouteRehearsal {
     }
 
     /// Looks whether what was flown is the plan as it is predicted.
-    fn look_at(&mut self, forecast: &Forecast, map: &MapSource) {
+    fn look_at(&mut self, forecast: &Forecast) {
         let Some(of) = &self.of else { return };
         let number = forecast.number();
-        if of.map == *map && self.seen.is_some_and(|(seen, _)| seen == number) {
+        if self.seen.is_some_and(|(seen, _)| seen == number) {
             return;
         }
         let is_same = |shown: &ShownPrediction| {
@@ -182,7 +202,7 @@ impl RouteRehearsal {
             };
             order == of.plan
         };
-        let is_same = of.map == *map && forecast.shown().is_some_and(is_same);
+        let is_same = forecast.shown().is_some_and(is_same);
         self.seen = Some((number, is_same));
     }
 
@@ -247,7 +267,7 @@ impl RouteRehearsal {
 
     /// Share that is flown, while flights are under way or awaited.
     pub fn progress(&self) -> Option<f32> {
-        if self.wanted {
+        if self.wanted.is_some() {
             return Some(0.0);
         }
         let count = self.flown.len() + self.under_way.len();

@@ -93,6 +93,23 @@ fn what_a_landmark_is_called_and_what_is_noted_of_it_changes_no_prediction_and_n
 }
 
 #[test]
+fn a_rehearsal_that_waits_for_its_prediction_is_of_no_route_that_is_selected_meanwhile() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, 0.0), (260.0, 0.0)]);
+    rig.host().left = Some(|job| matches!(job, Job::Predict(_)));
+    draw(&mut rig, &[(0.0, 200.0), (260.0, 200.0)]);
+    rig.harness.get_by_label("Rehearse this route").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Route 1").click();
+    rig.host().left = None;
+    rig.settle();
+    rig.harness
+        .get_by_label_contains("The route is not rehearsed");
+    let rehearsed = |(_, job): &(_, Job)| matches!(job, Job::Rehearse(_));
+    assert!(!rig.host().jobs.iter().any(rehearsed));
+}
+
+#[test]
 fn the_worst_flight_of_a_rehearsal_is_watched_in_replay_with_the_mission_that_is_open() {
     let mut rig = rehearsed(3.0);
     let worst = number(&rig, "/rehearsal/worst/seed") as u64;
