@@ -77,8 +77,8 @@ impl Finder {
         Some((self.progress.0, self.progress.1.as_str()))
     }
 
-    /// Forgets what was chosen in another world, and what is found or searched between other ends or around other areas
-    /// than those of now.
+    /// Forgets what was chosen in another world, and what is found or searched over another map, between other ends or
+    /// around other areas than those of now.
     pub fn keep_to_mission(&mut self, context: &mut FeatureContext<'_>) {
         let mission = &context.documents.mission;
         let origin = Some(mission.origin);
@@ -88,10 +88,11 @@ impl Finder {
         let ends = (self.from, self.to);
         let is_same = |about: &FindQuestion| {
             let about = &about.order;
-            (Some(about.from), Some(about.to)) == ends && about.no_fly == mission.no_fly
+            let is_here = about.field.map == context.documents.map.source;
+            is_here && (Some(about.from), Some(about.to)) == ends && about.no_fly == mission.no_fly
         };
         if self.about.take_if(|about| !is_same(about)).is_some() {
-            self.found = None;
+            (self.found, self.trouble) = (None, None);
             if let Some(id) = self.asked.take() {
                 context.cancel(id);
             }

@@ -98,6 +98,7 @@ impl Planner {
         Some(AskedPictures {
             order: self.order(documents),
             route,
+            map: documents.map.source.clone(),
             job: context.start(Job::Brief(order)),
             area,
             landmarks,
@@ -191,6 +192,7 @@ impl Planner {
                 context.wait_no_more(id);
                 let documents = &*context.documents;
                 let is_of_now = documents.mission.selected_route() == Some(&asked.route)
+                    && documents.map.source == asked.map
                     && self.order(documents) == asked.order
                     && self.is_foreseen(documents);
                 // Where the plan is another one since, the pictures are made anew.

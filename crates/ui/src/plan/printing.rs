@@ -3,7 +3,7 @@
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
-use pilotage_jobs::{JobId, PredictionOrder};
+use pilotage_jobs::{JobId, MapSource, PredictionOrder};
 
 /// A landmark of the brief.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub struct BriefLandmark {
 pub struct AskedPictures {
     /// Job that makes them.
     pub job: JobId,
+    /// The map.
+    pub map: MapSource,
     /// The route.
     pub route: Route,
     /// Order of its prediction, if it can be predicted.

@@ -4,6 +4,7 @@ use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_jobs::{DescribeMapOrder, Job, JobEvent, MapInfo, MapSource, OpenOrder, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
+use super::plan::{click, draw, planning};
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 pub fn a_map(origin: Option<Geodetic>) -> OpenedFiles {
@@ -84,6 +85,37 @@ fn proposals_for_one_map_are_gone_when_another_is_open() {
         a_map(Some(Geodetic::from_degrees(46.86, -92.08, 0.0))),
     );
     assert_eq!(count(&rig), Some(0));
+}
+
+#[test]
+fn a_route_that_was_found_over_one_map_and_its_rehearsal_are_gone_when_another_is_open() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, 0.0), (260.0, 0.0)]);
+    rig.harness.get_by_label("Rehearse this route").click();
+    rig.settle();
+    rig.key_with(Modifiers::SHIFT, egui::Key::F);
+    rig.settle();
+    click(&mut rig, 0.0, -300.0);
+    click(&mut rig, 0.0, 300.0);
+    rig.settle();
+    rig.harness.get_by_label("Find the route").click();
+    rig.settle();
+    let plan = |rig: &Rig| rig.state()["plan"].clone();
+    assert!(plan(&rig)["find"]["surest"].is_object());
+    assert!(plan(&rig)["rehearsal"]["flown"].as_u64() > Some(0));
+    let here = match opened_near(&mut rig) {
+        Some(Job::Open(OpenOrder { near, .. })) => near,
+        _ => None,
+    };
+    drop(&mut rig, a_map(here));
+    rig.settle();
+    let after = plan(&rig);
+    assert!(after["find"]["surest"].is_null(), "it was found elsewhere");
+    assert!(
+        after["find"]["from"].is_array(),
+        "it can be looked for again"
+    );
+    assert_eq!(after["rehearsal"]["flown"].as_u64().unwrap_or(0), 0);
 }
 
 #[test]
