@@ -5,7 +5,7 @@ use pilotage_core::plan::{DetectionStatistics, Rehearsal};
 use pilotage_jobs::{AssessmentOrder, JobEvent};
 
 use crate::planned_flight::PlannedFlight;
-use crate::workers;
+use crate::workers::{self, GoesOn};
 
 /// Printer of lines about a plan.
 pub type Say<'a> = &'a dyn Fn(&str);
@@ -17,10 +17,26 @@ pub fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
 }
 
 /// Measures each landmark over the map, on the days of the page or those of `seed`.
+///
+/// # Errors
+/// Why none can be measured, in words.
 pub fn expected(
     ground: &PlannedFlight,
     seed: Option<u64>,
     say: Say<'_>,
+) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
+    expected_while(ground, seed, say, &mut || Ok(()))
+}
+
+/// As [`expected`], as long as `goes_on`, which is asked after every few views, does not refuse.
+///
+/// # Errors
+/// Why none can be measured, in words, or the refusal.
+pub fn expected_while(
+    ground: &PlannedFlight,
+    seed: Option<u64>,
+    say: Say<'_>,
+    goes_on: GoesOn<'_>,
 ) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
     let landmarks = enabled(ground);
     let order = |l: &&Landmark| ground.assessment(l, seed);
@@ -28,6 +44,7 @@ pub fn expected(
     let (mut measured, mut fits) = (Vec::new(), true);
     let begun = std::time::Instant::now();
     workers::run(orders, &ground.lent(), &mut |number, event| {
+        goes_on()?;
         let landmark = landmarks[number];
         let (told, false_matches, statistics) = match event {
             JobEvent::Assessment(found) => (

@@ -17,7 +17,7 @@ use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
 use crate::mission_file::OpenMission;
 use crate::opening::{OpenedPath, directory_at, no_flight, open_among, unpacked};
 use crate::read_files::ReadFiles;
-use crate::workers::{KEY, Lent, do_here};
+use crate::workers::{GoesOn, KEY, Lent, do_here};
 
 /// Failure in words that name the file and what to do.
 type Failure = Box<dyn std::error::Error>;
@@ -185,9 +185,6 @@ pub struct ReplayedSimulation {
     /// The run.
     pub run: Run,
 }
-
-/// Question whether a flight shall be navigated further: the refusal in words if not.
-pub type GoesOn<'a> = &'a mut dyn FnMut() -> Result<(), String>;
 
 /// Flies in a built-in world and navigates by a mission over its map, as long as `goes_on`, which is asked after every few
 /// steps, does not refuse.

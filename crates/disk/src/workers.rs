@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Sender, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::{Flight, FrameSource, NoPictures, SharedFrames};
@@ -19,6 +19,12 @@ use pilotage_jobs::{
 
 /// Key of the files that the terminal has opened itself.
 pub(crate) const KEY: &str = "files";
+
+/// Question whether work shall go on: the refusal in words if not.
+pub type GoesOn<'a> = &'a mut dyn FnMut() -> Result<(), String>;
+
+/// Time between two questions whether somebody still waits for work.
+const ASKED_EVERY: Duration = Duration::from_millis(20);
 
 /// Everything that all workers share: each is given it before it begins.
 #[derive(Clone, Default)]
@@ -291,6 +297,44 @@ fn finish<O: Order>(
     }
 }
 
+/// Does `work` on a thread of its own while this one asks every 20 ms by `waits` whether it is still waited for. Where it is
+/// not, that is told at once; the work is told when it next asks whether it goes on, and is left to itself until then.
+///
+/// ```
+/// use pilotage_disk::workers::while_waited_for;
+///
+/// assert_eq!(while_waited_for(|_| 6 * 7, &mut || Ok::<(), String>(())), Ok(42));
+/// let endless = |goes_on: pilotage_disk::workers::GoesOn<'_>| while goes_on().is_ok() {};
+/// assert_eq!(while_waited_for(endless, &mut || Err("enough")), Err("enough"));
+/// ```
+///
+/// # Errors
+/// Whatever `waits` says.
+pub fn while_waited_for<T: Send + 'static, E>(
+    work: impl FnOnce(GoesOn<'_>) -> T + Send + 'static,
+    waits: &mut dyn FnMut() -> Result<(), E>,
+) -> Result<T, E> {
+    let is_over = Arc::new(AtomicBool::new(false));
+    let is_told = Arc::clone(&is_over);
+    let (ends, end) = channel::<()>();
+    let worker = std::thread::spawn(move || {
+        // Dropped however the work ends.
+        let _ends = ends;
+        work(&mut || {
+            if is_told.load(Ordering::Relaxed) {
+                return Err("nobody waits for it any more".to_owned());
+            }
+            Ok(())
+        })
+    });
+    while end.recv_timeout(ASKED_EVERY) == Err(RecvTimeoutError::Timeout) {
+        waits().inspect_err(|_| is_over.store(true, Ordering::Relaxed))?;
+    }
+    worker
+        .join()
+        .map_err(|panic| std::panic::resume_unwind(panic))
+}
+
 /// Events that came before their turn.
 #[derive(Default)]
 struct InOrder {
@@ -428,6 +472,35 @@ mod tests {
         assert_eq!(heard, Ok(()));
         // The short ones were heard while the long one was under way.
         assert!(done == [1, 2, 0] && before < long, "{done:?} {before}");
+    }
+
+    #[test]
+    fn work_that_nobody_waits_for_is_told_so_and_what_it_came_to_or_broke_by_is_told() {
+        let (send, told) = channel();
+        let begun = Instant::now();
+        let mut asked = 0;
+        let given_up = while_waited_for(
+            move |goes_on| {
+                while goes_on().is_ok() {
+                    std::thread::sleep(Duration::from_millis(1));
+                }
+                send.send("ended").ok();
+            },
+            &mut || {
+                asked += 1;
+                if asked == 3 { Err("enough") } else { Ok(()) }
+            },
+        );
+        assert_eq!((given_up, asked), (Err("enough"), 3));
+        assert_eq!(told.recv_timeout(Duration::from_secs(60)), Ok("ended"));
+        // Work that does not ask holds nobody up.
+        let sleeps = |_: GoesOn<'_>| std::thread::sleep(Duration::from_secs(60));
+        assert_eq!(while_waited_for(sleeps, &mut || Err(())), Err(()));
+        assert!(begun.elapsed() < Duration::from_secs(50));
+        let breaks = |_: GoesOn<'_>| -> usize { panic!("it broke") };
+        let broken = std::panic::catch_unwind(|| while_waited_for(breaks, &mut || Ok::<_, ()>(())));
+        let why = broken.expect_err("it broke");
+        assert_eq!(why.downcast_ref::<&str>(), Some(&"it broke"));
     }
 
     #[test]

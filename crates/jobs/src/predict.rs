@@ -87,7 +87,21 @@ impl PredictionOrder {
     }
 
     /// Predicts.
+    ///
+    /// # Errors
+    /// Why nothing can be predicted, in words.
     pub fn predict(&self) -> Result<RoutePrediction, String> {
+        self.predict_while(&mut || true)
+    }
+
+    /// As [`Self::predict`], as long as `goes_on`, which is asked before each wind.
+    ///
+    /// # Errors
+    /// Why nothing can be predicted, in words, or that nobody wants it to go on.
+    pub fn predict_while(
+        &self,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Result<RoutePrediction, String> {
         let (plan, landmarks) = (self.path.plan(), self.planned_landmarks());
         let request = PredictionRequest {
             plan: &plan,
@@ -98,7 +112,8 @@ impl PredictionOrder {
             seed: self.seed,
             limit: self.limit,
         };
-        request.predict().map_err(|error| error.to_string())
+        let prediction = request.predict_while(goes_on);
+        prediction.map_err(|error| error.to_string())
     }
 }
 

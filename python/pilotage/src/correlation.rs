@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::rows;
 use crate::error::refusal;
+use crate::interruption::unless_interrupted;
 
 /// A grey picture of whoever calls: rows of pixels, of any kind of number.
 type GrayArray<'py> = PyArrayLike2<'py, f32, AllowTypeChange>;
@@ -74,7 +75,7 @@ fn surface(
             "the patch of {w} × {h} pixels does not fit into the picture of {width} × {height}"
         )));
     }
-    Ok(py.detach(|| template.correlate(&picture)))
+    unless_interrupted(py, move |_| Ok(template.correlate(&picture)))
 }
 
 /// Zero-mean normalized correlation of a patch at all places of a picture, -1 to 1 (OpenCV's `TM_CCOEFF_NORMED`, but 0

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{rows, vector};
-use crate::error::refusal;
+use crate::interruption::unless_interrupted;
 use crate::log::named;
 
 /// A flight as the navigator takes it: channels in SI units and radians in a world of north, east, down.
@@ -33,15 +33,14 @@ pub fn read_flight(
     columns: Option<PathBuf>,
     vehicle: Option<u32>,
 ) -> PyResult<PythonFlight> {
-    let read = || {
+    unless_interrupted(py, move |_| {
         let read = flight_at(&path, columns.as_deref(), vehicle)
             .map_err(|e| named(&path, &e.to_string()))?;
         Ok(PythonFlight {
             flight: read.open.flight,
             notes: read.notes,
         })
-    };
-    py.detach(read).map_err(|words: String| refusal(words))
+    })
 }
 
 #[pymethods]

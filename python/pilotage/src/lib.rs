@@ -11,6 +11,7 @@ mod error;
 mod field_array;
 mod filter;
 mod flight;
+mod interruption;
 mod log;
 mod model_of_state;
 mod prediction;

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use pilotage_core::flight::log::Log;
 use pilotage_disk::opening::{OpenedPath, no_flight, open};
+use pilotage_disk::workers::GoesOn;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::python_value;
-use crate::error::refusal;
+use crate::interruption::unless_interrupted;
 use crate::topic::PythonTopic;
 
 /// A flight log: everything that a file holds, as it was written.
@@ -30,16 +31,15 @@ pub fn read_log(
     columns: Option<PathBuf>,
     vehicle: Option<u32>,
 ) -> PyResult<PythonLog> {
-    let read = || -> Result<Log, String> {
+    let read = move |_: GoesOn<'_>| -> Result<Log, Box<dyn std::error::Error>> {
         let opened = open(&path, columns.as_deref()).map_err(|e| named(&path, &e.to_string()))?;
         match opened.of_vehicle(vehicle)? {
             OpenedPath::Log(log, _) => Ok(*log),
             OpenedPath::Folder(folder) | OpenedPath::Tables(folder) => Ok(folder.log()),
-            OpenedPath::Nothing(told) => Err(no_flight(&path, &told)),
+            OpenedPath::Nothing(told) => Err(no_flight(&path, &told).into()),
         }
     };
-    let log = py.detach(read).map_err(refusal)?;
-    Ok(PythonLog(Arc::new(log)))
+    Ok(PythonLog(Arc::new(unless_interrupted(py, read)?)))
 }
 
 /// The words of a failure, with the file before them where they lack it.

@@ -8,14 +8,14 @@ use numpy::{PyArray1, PyArray2, PyArray3};
 use pilotage_core::plan::{
     DetectionStatistics, ExpectedDetection, PredictionSample, RoutePrediction,
 };
-use pilotage_disk::landmarks::{enabled, expected};
+use pilotage_disk::landmarks::{enabled, expected_while};
 use pilotage_disk::planned_flight::{PlanSource, PlannedFlight};
 use pilotage_disk::predict::prediction;
 use pilotage_jobs::{FINE, PredictionOrder};
 use pyo3::prelude::*;
 
 use crate::arrays::{matrix, python_value, rows, squares, vector};
-use crate::error::refusal;
+use crate::interruption::unless_interrupted;
 
 /// Errors of a landmark's place that is stated to be found: metres, and radians with the logarithm of the size.
 const STATED: [f64; 2] = [0.5, 0.02];
@@ -75,13 +75,14 @@ pub fn predict_route(
         height,
         dem,
     };
-    let predict = || -> Result<PythonPrediction, Box<dyn std::error::Error>> {
-        let ground = PlannedFlight::along(&source, route)?;
+    let route = route.map(ToOwned::to_owned);
+    unless_interrupted(py, move |goes_on| {
+        let ground = PlannedFlight::along(&source, route.as_deref())?;
         let order = prediction(&ground, seed)?;
         let notes = RefCell::new(ground.notes.clone());
         let say = |line: &str| notes.borrow_mut().push(line.to_owned());
         let landmarks = match detection {
-            None => expected(&ground, seed, &say)?,
+            None => expected_while(&ground, seed, &say, goes_on)?,
             Some(stated) => {
                 let statistics = as_stated(stated);
                 let landmarks = enabled(&ground).into_iter();
@@ -97,13 +98,11 @@ pub fn predict_route(
         };
         let names = order.landmarks.iter();
         Ok(PythonPrediction {
-            prediction: order.predict()?,
+            prediction: order.predict_while(&mut || goes_on().is_ok())?,
             landmarks: names.map(|(landmark, _)| landmark.name.clone()).collect(),
             notes: notes.into_inner(),
         })
-    };
-    py.detach(|| predict().map_err(|e| e.to_string()))
-        .map_err(refusal)
+    })
 }
 
 fn as_stated((recognised, per_frame): (f64, f64)) -> DetectionStatistics {

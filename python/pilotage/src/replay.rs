@@ -5,14 +5,13 @@ use std::path::PathBuf;
 use pilotage_core::navigator::{summarize, unused_pictures};
 use pilotage_core::simulate::SimulationChoice;
 use pilotage_disk::filter_options;
-use pilotage_disk::replaying::{
-    GoesOn, ReplayedSimulation, flight_at, over_map, replay_simulation,
-};
-use pilotage_disk::workers::Lent;
+use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
+use pilotage_disk::workers::{GoesOn, Lent};
 use pilotage_jobs::SimulationOptions;
 use pyo3::prelude::*;
 
 use crate::error::refusal;
+use crate::interruption::unless_interrupted;
 use crate::log::named;
 use crate::run::PythonRun;
 
@@ -33,8 +32,11 @@ pub fn replay(
     vehicle: Option<u32>,
     filter: &str,
 ) -> PyResult<PythonRun> {
-    let fly = |goes_on: GoesOn<'_>| -> Result<PythonRun, Box<dyn std::error::Error>> {
-        let flight = flight_at(&path, columns.as_deref(), vehicle)?;
+    let filter = filter.to_owned();
+    let told = [map.clone(), mission.clone()];
+    let flown = path.clone();
+    let fly = move |goes_on: GoesOn<'_>| -> Result<PythonRun, Box<dyn std::error::Error>> {
+        let flight = flight_at(&flown, columns.as_deref(), vehicle)?;
         let map = flight.map(map.as_deref())?;
         let mission = flight.mission(mission.as_deref(), no_mission)?;
         let mut notes = flight.notes;
@@ -42,24 +44,27 @@ pub fn replay(
             notes.extend(map.notes);
             map.map
         });
-        let mut over = over_map(flight.open, map, mission, filter)?;
+        let mut over = over_map(flight.open, map, mission, &filter)?;
         notes.extend(over.why.map(ToOwned::to_owned));
         let run = over.navigate_while(goes_on)?;
         notes.extend(unused_pictures(&run));
         let summary = summarize(&over.flight, &run, None);
         Ok(PythonRun::new(run, Some(summary), notes))
     };
-    unless_interrupted(py, fly)?.map_err(|words| {
-        // Whatever is wrong with map or mission says so.
-        let told = [map.as_ref(), mission.as_ref()];
-        let is_named = told.iter().flatten().any(|file| {
-            let name = file.file_name().map(|name| name.to_string_lossy());
-            name.is_some_and(|name| words.contains(name.as_ref()))
-        });
-        refusal(if is_named {
-            words
-        } else {
-            named(&path, &words)
+    unless_interrupted(py, move |goes_on| {
+        fly(goes_on).map_err(|failure| {
+            // Whatever is wrong with map or mission says so.
+            let words = failure.to_string();
+            let is_named = told.iter().flatten().any(|file| {
+                let name = file.file_name().map(|name| name.to_string_lossy());
+                name.is_some_and(|name| words.contains(name.as_ref()))
+            });
+            let named = if is_named {
+                words
+            } else {
+                named(&path, &words)
+            };
+            named.into()
         })
     })
 }
@@ -84,9 +89,10 @@ pub fn replay_scenario(
         "other" => true,
         _ => return Err(refusal(format!("day={day:?}: say \"same\" or \"other\""))),
     };
-    let fly = |goes_on: GoesOn<'_>| -> Result<PythonRun, Box<dyn std::error::Error>> {
+    let (title, filter) = (format!("{name}, seed {seed}"), filter.to_owned());
+    let fly = move |goes_on: GoesOn<'_>| -> Result<PythonRun, Box<dyn std::error::Error>> {
         let mut mission = choice.mission().ok_or("it has no mission")?;
-        filter_options::apply(&mut mission.navigator, filter)?;
+        filter_options::apply(&mut mission.navigator, &filter)?;
         let options = SimulationOptions {
             scenario: choice.name.to_owned(),
             seed,
@@ -99,30 +105,9 @@ pub fn replay_scenario(
         let summary = summarize(&flight, &run, Some(&choice.navigator()));
         Ok(PythonRun::new(run, Some(summary), Vec::new()))
     };
-    unless_interrupted(py, fly)?.map_err(|words| refusal(format!("{name}, seed {seed}: {words}")))
-}
-
-/// Does work without Python's lock that asks now and then whether it goes on; the refusal in words where it fails, and
-/// `KeyboardInterrupt`, or whatever a handler of signals raises, where somebody interrupts it.
-fn unless_interrupted<T: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(GoesOn<'_>) -> Result<T, Box<dyn std::error::Error>> + Send,
-) -> PyResult<Result<T, String>> {
-    let mut interrupted = None;
-    let done = py.detach(|| {
-        let mut goes_on = || {
-            // A path to the method is of one lifetime only.
-            #[allow(clippy::redundant_closure_for_method_calls)]
-            let asked = Python::attach(|py| py.check_signals());
-            asked.map_err(|error| {
-                let words = error.to_string();
-                interrupted = Some(error);
-                words
-            })
-        };
-        work(&mut goes_on).map_err(|error| error.to_string())
-    });
-    interrupted.map_or(Ok(done), Err)
+    unless_interrupted(py, move |goes_on| {
+        fly(goes_on).map_err(|failure| format!("{title}: {failure}").into())
+    })
 }
 
 /// Names of the built-in scenarios, in any of the built-in worlds.

@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 
 use crate::arrays::{python_value, rows, squares, vector};
 use crate::error::refusal;
+use crate::interruption::unless_interrupted;
 
 /// Conclusions of the navigator over a flight: one row of every array for each step.
 ///
@@ -71,12 +72,11 @@ impl PythonRun {
 /// Reads a run that `pilotage replay --out FILE`, the page or `Run.save` wrote.
 #[pyfunction]
 pub fn read_run(py: Python<'_>, path: PathBuf) -> PyResult<PythonRun> {
-    let read = || {
+    let run = unless_interrupted(py, move |_| {
         let name = path.display().to_string();
         let bytes = std::fs::read(&path).map_err(|e| format!("{name}: {e}"))?;
-        decode_run(&name, &bytes).map_err(|e| e.to_string())
-    };
-    let run = py.detach(read).map_err(refusal)?;
+        Ok(decode_run(&name, &bytes)?)
+    })?;
     Ok(PythonRun::new(run, None, Vec::new()))
 }
 

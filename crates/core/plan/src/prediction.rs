@@ -129,7 +129,21 @@ impl PredictionRequest<'_> {
     /// assert!(last.corridor.sigma_major > 20.0 && !prediction.over_limit.is_empty());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// # Errors
+    /// A route without two different way-points, or a covariance that became infinite.
     pub fn predict(&self) -> Result<RoutePrediction, PredictionError> {
+        self.predict_while(&mut || true)
+    }
+
+    /// As [`Self::predict`], as long as `goes_on`, which is asked before each wind.
+    ///
+    /// # Errors
+    /// As of that, or that nobody wants it to go on.
+    pub fn predict_while(
+        &self,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Result<RoutePrediction, PredictionError> {
         let flight = self.plan.nominal().ok_or(PredictionError::NoRoute)?;
         let uncertain = self.wind_deviation > 0.0;
         let worlds = self.worlds.max(1);
@@ -155,6 +169,9 @@ impl PredictionRequest<'_> {
         };
         let mut ways = Vec::with_capacity(parts.len());
         for ((number, part), worlds) in parts.iter().enumerate().zip(recognised.chunks(per_wind)) {
+            if !goes_on() {
+                return Err(PredictionError::GivenUp);
+            }
             let wind = self.plan.wind + self.wind_deviation * part.mean;
             let other = uncertain
                 .then(|| {

@@ -45,4 +45,7 @@ pub enum PredictionError {
         /// Seconds after the start.
         time: f64,
     },
+    /// Nobody wanted it to go on.
+    #[error("the prediction was given up")]
+    GivenUp,
 }
