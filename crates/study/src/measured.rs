@@ -1,10 +1,10 @@
 //! A measure in a cell, gathered in constant memory.
 
+use pilotage_core::filter::quantile_ranks;
 use pilotage_core::training::evaluation::wilson;
 use serde::{Deserialize, Serialize};
 use sketches_ddsketch::{Config, DDSketch};
 
-use super::quantile_ranks::quantile_ranks;
 use super::resampled::Resampled;
 
 /// Relative error of quantiles.

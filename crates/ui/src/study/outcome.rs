@@ -1,8 +1,8 @@
 //! Outcome of a study so far: errors and reliability by setting, and the flights that failed.
 
-use pilotage_core::filter::quantile;
+use pilotage_core::filter::{quantile, quantile_ranks};
 use pilotage_core::training::evaluation::{Rate, correlation_within};
-use pilotage_study::{DrawBy, MeasureKind, StudyPlan, quantile_ranks};
+use pilotage_study::{DrawBy, MeasureKind, StudyPlan};
 
 use super::grouping::{FlightGroups, StudyBy, compared};
 use super::under_way::StudyUnderWay;

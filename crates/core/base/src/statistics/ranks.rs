@@ -10,7 +10,7 @@ const NOTHING: f64 = 1e-20;
 /// on a side, as they are too few.
 ///
 /// ```
-/// use pilotage_study::quantile_ranks;
+/// use pilotage_base::statistics::quantile_ranks;
 ///
 /// // The median of six lies outside of them once in 32, and that of five once in 16.
 /// assert_eq!(quantile_ranks(6, 0.5), Some([0, 5]));
