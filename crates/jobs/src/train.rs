@@ -210,7 +210,11 @@ impl RunningJob for Train {
         {
             // A whole stage is told before the next begins, so that it can be kept.
             let whole = training.reports().len();
-            more = training.advance().map_err(|why| why.to_string())?;
+            more = training.advance().map_err(|why| {
+                let words = why.to_string();
+                emit(JobEvent::Untrainable(words.clone()));
+                words
+            })?;
             now = clock();
             if training.reports().len() > whole {
                 break;

@@ -104,7 +104,8 @@ impl StudyRecord {
                 }
                 SettingValue::Text(name) => format!(", {name}"),
             });
-            let figures: Vec<String> = cell.measures.iter().map(figure).collect();
+            let figures = cell.measures.iter().map(|it| figure(it, summary.draws));
+            let figures: Vec<String> = figures.collect();
             format!(
                 "| `{}`{} | {} | {} | {} |\n",
                 summary.name,
@@ -128,8 +129,9 @@ fn are_equal(one: Option<f64>, other: Option<f64>) -> bool {
     }
 }
 
-/// Name of a measure and its mean with the interval; a share in percent.
-fn figure(measure: &MeasureSummary) -> String {
+/// Name of a measure and its mean with the interval, and of how many of `draws` flights that is where some have no such number;
+/// a share in percent.
+fn figure(measure: &MeasureSummary, draws: u64) -> String {
     let (scale, unit) = if measure.is_share {
         (100.0, " %")
     } else {
@@ -145,5 +147,9 @@ fn figure(measure: &MeasureSummary) -> String {
         });
         format!("{}{interval}{unit}", digits(scale * mean.mean))
     });
-    format!("{} {mean}", measure.name)
+    let of = match measure.missing(draws) {
+        0 => String::new(),
+        missing => format!(" of {} flights", draws - missing),
+    };
+    format!("{} {mean}{of}", measure.name)
 }

@@ -10,6 +10,8 @@ use super::measured::{DrawPlace, MeanSummary, MeasureTally, QuantileSummary};
 use super::philox::Philox;
 use super::plan::{DrawBy, StudyError, StudyMeasure, refusal};
 use super::resampled::weights;
+use super::settings::StudySetting;
+use super::table::digits;
 use super::value::SettingValue;
 
 /// Measure in a cell.
@@ -34,6 +36,13 @@ pub struct MeasureSummary {
     pub minus_first: Option<MeanSummary>,
 }
 
+impl MeasureSummary {
+    /// Number of `draws` flights that have no such number.
+    pub(super) fn missing(&self, draws: u64) -> u64 {
+        self.mean.as_ref().map_or(draws, |mean| mean.missing)
+    }
+}
+
 /// Cell of what is crossed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CellSummary {
@@ -56,6 +65,9 @@ pub struct StudySummary {
     pub flights: u64,
     /// Whether the intervals were narrow enough before the end.
     pub is_stopped: bool,
+    /// Reason why the rule to stop did not end the study, in words; none where it did, or where the plan has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub not_enough: Option<String>,
     /// Cells, the last of the crossed settings varying fastest.
     pub cells: Vec<CellSummary>,
 }
@@ -75,6 +87,15 @@ pub struct StudyTally<'a> {
     held: Vec<StudyRow>,
     draws: u64,
     is_enough: bool,
+}
+
+/// Settings of a cell in words, with their units.
+pub(super) fn cell_words<'a>(
+    settings: impl Iterator<Item = (&'a String, &'a SettingValue)>,
+) -> String {
+    let words = settings
+        .map(|(key, value)| format!("{key} {}", StudySetting::with_unit(key, &value.to_string())));
+    words.collect::<Vec<_>>().join(", ")
 }
 
 impl<'a> StudyTally<'a> {
@@ -200,6 +221,49 @@ impl<'a> StudyTally<'a> {
         }
     }
 
+    /// Reason why the rule to stop has not been met, by the cell that is farthest from it.
+    fn not_enough(&self) -> Option<String> {
+        let plan = self.design.plan();
+        let stop = plan.stop.as_ref().filter(|_| !self.is_enough)?;
+        let index = plan.measure.iter().position(|m| m.name() == stop.measure)?;
+        let tallies = self.cells.iter().map(|cell| &cell.measures[index]);
+        let mut widest: Option<(u64, &MeasureTally)> = None;
+        for (cell, tally) in (0..).zip(tallies) {
+            if widest.is_none_or(|(_, most)| tally.half_width() > most.half_width()) {
+                widest = Some((cell, tally));
+            }
+        }
+        let (cell, tally) = widest?;
+        let cell = cell_words(plan.cross.keys().zip(self.design.cell_values(cell)));
+        let unit = if plan.measure[index].is_share() {
+            ""
+        } else {
+            plan.measure[index].of.unit()
+        };
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {unit}")
+        };
+        let why = match (tally.mean(), tally.half_width()) {
+            (None, _) => "no flight has a number of it".to_owned(),
+            (Some(_), half) if half.is_finite() => {
+                format!("its interval is ± {}{unit}", digits(half))
+            }
+            _ => "it has no interval, as its numbers are too few or all alike".to_owned(),
+        };
+        Some(format!(
+            "{} was to be known to ± {}{unit}{}; {why}",
+            stop.measure,
+            digits(stop.half_width),
+            if cell.is_empty() {
+                String::new()
+            } else {
+                format!(" in every cell: {cell}")
+            },
+        ))
+    }
+
     /// Summary of the draws that were taken in.
     pub fn summary(&self) -> StudySummary {
         let plan = self.design.plan();
@@ -231,6 +295,7 @@ impl<'a> StudyTally<'a> {
             draws: self.draws,
             flights: self.draws * self.cells.len() as u64,
             is_stopped: self.is_enough && self.draws < plan.draws,
+            not_enough: self.not_enough(),
             cells: cells.collect(),
         }
     }

@@ -1,8 +1,7 @@
 //! Outcome of a study as a table for people.
 
 use super::measured::{IntervalBy, MeanSummary};
-use super::settings::StudySetting;
-use super::summary::{MeasureSummary, StudySummary};
+use super::summary::{MeasureSummary, StudySummary, cell_words};
 
 /// Quantiles of the table, with their names.
 const SHOWN: [(f64, &str); 2] = [(0.5, "median"), (0.95, "95 % quantile")];
@@ -43,12 +42,7 @@ impl StudySummary {
             .map(str::to_owned),
         ];
         for cell in &self.cells {
-            let settings = cell.settings.iter();
-            let settings: Vec<String> = settings
-                .map(|(key, value)| {
-                    format!("{key} {}", StudySetting::with_unit(key, &value.to_string()))
-                })
-                .collect();
+            let settings = cell_words(cell.settings.iter());
             for measure in &cell.measures {
                 let at = |share: f64| {
                     let found = measure.quantiles.iter().find(|q| q.share == share);
@@ -61,7 +55,7 @@ impl StudySummary {
                 };
                 let mean = measure.mean.as_ref();
                 rows.push([
-                    settings.join(", "),
+                    settings.clone(),
                     format!("{}{unit}", measure.name),
                     mean.map_or("0".to_owned(), |mean| mean.count.to_string()),
                     mean.map_or("-".to_owned(), with_interval),
@@ -115,7 +109,40 @@ impl StudySummary {
         }
         let unbounded = SHOWN.into_iter().filter_map(|shown| self.unbounded(shown));
         text.extend(unbounded);
+        text.extend(self.without());
+        let not_enough = self.not_enough.iter();
+        text.extend(not_enough.map(|why| format!("The rule to stop did not end it: {why}.\n")));
         text
+    }
+
+    /// Sentence for each measure of which flights have no number, with how many of which cells.
+    fn without(&self) -> Vec<String> {
+        let Some(first) = self.cells.first() else {
+            return Vec::new();
+        };
+        let of = |index: usize, name: &str| {
+            let cells = self.cells.iter().filter_map(|cell| {
+                let missing = cell.measures[index].missing(self.draws);
+                let words = cell_words(cell.settings.iter());
+                let place = if words.is_empty() {
+                    String::new()
+                } else {
+                    format!(" of {words}")
+                };
+                (missing > 0).then(|| format!("{missing} of {}{place}", self.draws))
+            });
+            let cells: Vec<String> = cells.collect();
+            (!cells.is_empty()).then(|| {
+                format!(
+                    "Flights without a number of {name}: {}.\n",
+                    cells.join("; ")
+                )
+            })
+        };
+        let names = first.measures.iter().enumerate();
+        names
+            .filter_map(|(index, measure)| of(index, &measure.name))
+            .collect()
     }
 
     /// Sentence on the measures that have too few flights for an interval of a quantile.

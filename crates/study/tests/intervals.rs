@@ -2,7 +2,8 @@
 
 use pilotage_core::training::evaluation::wilson;
 use pilotage_study::{
-    IntervalBy, MeanSummary, StudyDesign, StudyPlan, StudyRow, StudySummary, StudyTally,
+    IntervalBy, MeanSummary, StudyDesign, StudyPlan, StudyRecord, StudyRow, StudySummary,
+    StudyTally,
 };
 
 fn design(more: &str) -> StudyDesign {
@@ -100,4 +101,57 @@ fn quantiles_that_few_flights_do_not_bound_have_no_interval() {
     let said = "Not enough flights for an interval of the 95 % quantile of error-rms.\n";
     assert!(few.table().ends_with(said), "{}", few.table());
     assert!(!few.table().contains("of the median"));
+}
+
+/// Summary of 64 draws in two cells, of which the second has numbers in the first `has` draws only, with the lines of its record.
+fn of_two(stop: &str, has: u64) -> StudySummary {
+    let design = design(&format!(
+        "cross.vehicle = [\"airplane-wind\", \"airplane-full\"]\n{stop}"
+    ));
+    let mut tally = StudyTally::new(&design);
+    for run in 0..128 {
+        let number = |value: f64| (run % 2 == 0 || run / 2 < has).then_some(value);
+        let measured = vec![number(run as f64), number(f64::from(u8::from(run < 60)))];
+        tally.take(StudyRow { run, measured }).expect("in order");
+    }
+    tally.summary()
+}
+
+#[test]
+fn a_setting_that_yields_no_number_does_not_hide_and_says_why_the_rule_did_not_end_the_study() {
+    let stop = "stop = { measure = \"near\", half_width = 0.2, every = 16 }";
+    let none = of_two(stop, 0);
+    assert_eq!((none.draws, none.is_stopped), (64, false));
+    let table = none.table();
+    assert!(
+        table.contains("Flights without a number of near: 64 of 64 of vehicle airplane-full.\n"),
+        "{table}"
+    );
+    let said = "The rule to stop did not end it: near was to be known to ± 0.200 in every cell: \
+                vehicle airplane-full; no flight has a number of it.\n";
+    assert!(table.ends_with(said), "{table}");
+    let record = StudyRecord {
+        made: "today".to_owned(),
+        plan: design("").plan().clone(),
+        summary: none,
+        first: Vec::new(),
+    };
+    let lines = record.lines();
+    assert!(
+        lines.contains("near - of 0 flights |") && !lines.contains("of 64"),
+        "{lines}"
+    );
+    // Numbers of some flights are too wide, or too few.
+    let wide = of_two(stop, 5).not_enough.expect("it was not enough");
+    assert!(wide.contains("its interval is ± 0."), "{wide}");
+    let few = of_two(&stop.replace("near", "error-rms"), 5);
+    let few = few.not_enough.expect("it was not enough");
+    assert!(
+        few.contains("its numbers are too few or all alike"),
+        "{few}"
+    );
+    // Who meets the rule, or has none, needs no reason.
+    let met = of_two(stop, 64);
+    assert!(met.is_stopped && met.not_enough.is_none() && !met.table().contains("did not end"));
+    assert_eq!(of_two("", 0).not_enough, None);
 }

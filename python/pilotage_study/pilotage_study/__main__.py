@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from contextlib import ExitStack
 from pathlib import Path
 
 from .arrays import kubernetes, slurm
@@ -43,12 +44,12 @@ def _run(given: argparse.Namespace, out: Path) -> None:
     def tell(there: int, all_of_them: int) -> None:
         print(f"\r{there} of {all_of_them} shards", end="", file=sys.stderr, flush=True)
 
-    if given.scheduler is None:
-        cluster = LocalCluster(n_workers=given.workers, threads_per_worker=1, dashboard_address=":0")
-        address = cluster.scheduler_address
-    else:
-        cluster, address = None, given.scheduler
-    with Client(address) as client:
+    with ExitStack() as opened:
+        address = given.scheduler
+        if address is None:
+            cluster = LocalCluster(n_workers=given.workers, threads_per_worker=1, dashboard_address=":0")
+            address = opened.enter_context(cluster).scheduler_address
+        client = opened.enter_context(Client(address))
         print(f"dashboard: {client.dashboard_link}", file=sys.stderr)
         table = run_study(
             given.plan,
@@ -60,8 +61,6 @@ def _run(given: argparse.Namespace, out: Path) -> None:
         )
     print(file=sys.stderr)
     print(table, end="")
-    if cluster is not None:
-        cluster.close()
 
 
 def main(words: list[str] | None = None) -> int:

@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import cloudpickle
-from distributed import Client, as_completed, get_worker
+from distributed import CancelledError, Client, as_completed, get_worker
 from distributed.scheduler import KilledWorker
 
-from .program import FlownShards, Program, keep
+from .program import FlownShards, Program, StudyFailure, begin, keep
 
 # Tasks for each thread of the cluster, if not more: a worker that joins late or is slow finds something to do.
 TASKS_EACH = 6
@@ -22,7 +22,21 @@ ROUNDS = 2
 
 
 def _fly(program: Program, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> tuple[FlownShards, str]:
-    return program.fly(plan, shards, runs_per_shard), get_worker().address
+    worker = get_worker()
+    try:
+        # Dask removes what a worker that was killed leaves there.
+        return program.fly(plan, shards, runs_per_shard, Path(worker.local_directory)), worker.address
+    except (StudyFailure, OSError) as failure:
+        raise StudyFailure(f"the worker {worker.address} could not do {_named(shards)}: {failure}") from None
+
+
+def _named(shards: tuple[int, ...]) -> str:
+    """The shards in words."""
+    if len(shards) == 1:
+        return f"shard {shards[0]}"
+    if shards[-1] - shards[0] == len(shards) - 1:
+        return f"shards {shards[0]} to {shards[-1]}"
+    return f"shards {', '.join(map(str, shards))}"
 
 
 def _pieces(missing: tuple[int, ...], threads: int) -> Iterator[tuple[int, ...]]:
@@ -44,14 +58,15 @@ def run_study(
     """Carries out what is missing of a study, merges, and gives its table.
 
     Shards of a worker that is lost are given to another, `tries` times at most. `tell` hears how many shards
-    are there and how many there are. Raises StudyFailure where a program fails, or a worker has another program, or
-    another map under the name of this one: the sentence names the worker and what differs.
+    are there and how many there are. Raises StudyFailure where a program fails, shards are lost too often, or a worker has
+    another program, or another map under the name of this one: the sentence names the worker, the shards, what differs.
     """
     # Workers of a cluster in use need not have this package.
     cloudpickle.register_pickle_by_value(sys.modules[__package__])
     program = program or Program()
     text = program.packed(plan)
     description = program.describe(plan, out, runs_per_shard)
+    begin(out, description.begun)
     while not description.is_complete:
         _fly_round(text, out, client, program, runs_per_shard, tries, description, tell)
         description = program.describe(plan, out, runs_per_shard)
@@ -75,17 +90,21 @@ def _fly_round(text, out, client, program, runs_per_shard, tries, description, t
         left[submit(shards)] = (shards, 1)
     there = description.shards - len(description.missing)
     flown = as_completed(list(left))
-    for future in flown:
-        shards, tried = left.pop(future)
-        try:
-            keep(out, *future.result())
-        except KilledWorker:
-            if tried >= tries:
-                raise
-            again = submit(shards)
-            left[again] = (shards, tried + 1)
-            flown.add(again)
-            continue
-        there += len(shards)
-        if tell is not None:
-            tell(there, description.shards)
+    try:
+        for future in flown:
+            shards, tried = left.pop(future)
+            try:
+                keep(out, *future.result())
+            except (KilledWorker, CancelledError) as loss:
+                if tried >= tries:
+                    raise StudyFailure(f"{_named(shards)} were lost {tried} times, the last time so: {loss}") from loss
+                again = submit(shards)
+                left[again] = (shards, tried + 1)
+                flown.add(again)
+                continue
+            there += len(shards)
+            if tell is not None:
+                tell(there, description.shards)
+    finally:
+        # Nobody waits any more for what is under way where it failed; the cluster may be in use by others.
+        client.cancel(list(left))

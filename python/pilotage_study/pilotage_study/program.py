@@ -28,6 +28,8 @@ class Description:
     shards: int
     missing: tuple[int, ...]
     is_complete: bool
+    # Text with which the folder is begun, which says of what its shards are.
+    begun: str
 
 
 @dataclass(frozen=True)
@@ -55,16 +57,22 @@ class Program:
         return done.stdout
 
     def describe(self, plan: Path, out: Path, runs_per_shard: int) -> Description:
-        """What there is to fly, and what is missing."""
+        """What there is to fly, and what is missing. Nothing is written."""
         words = [str(plan), "--out", str(out), "--runs-per-shard", str(runs_per_shard), "--describe"]
         said = json.loads(self._call(words))
-        return Description(
-            name=said["name"],
-            flights=said["flights"],
-            shards=said["shards"],
-            missing=tuple(said["missing"]),
-            is_complete=said["is_complete"],
-        )
+        try:
+            return Description(
+                name=said["name"],
+                flights=said["flights"],
+                shards=said["shards"],
+                missing=tuple(said["missing"]),
+                is_complete=said["is_complete"],
+                begun=said["begun"],
+            )
+        except KeyError as cause:
+            raise StudyFailure(
+                f"{self.path} does not tell {cause} of a study; give one of the version of this package"
+            ) from cause
 
     def packed(self, plan: Path) -> str:
         """Text of the plan as other machines need it: of a study with the mission files that it names in it, of work on a
@@ -75,9 +83,11 @@ class Program:
             self._call([str(plan), "--pack", str(file)])
             return file.read_text(encoding="utf-8")
 
-    def fly(self, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> FlownShards:
-        """These shards of the plan with this text."""
-        with tempfile.TemporaryDirectory(prefix="pilotage-study-") as folder:
+    def fly(
+        self, plan: str, shards: tuple[int, ...], runs_per_shard: int, scratch: Path | None = None
+    ) -> FlownShards:
+        """These shards of the plan with this text, in a folder of their own below `scratch` that is removed afterwards."""
+        with tempfile.TemporaryDirectory(prefix="pilotage-study-", dir=scratch) as folder:
             file = Path(folder, "plan.toml")
             file.write_text(plan, encoding="utf-8")
             out = Path(folder, "out")
@@ -121,10 +131,26 @@ def keep(out: Path, flown: FlownShards, worker: str) -> None:
             " workers the same program and the same files"
         )
     for name, content in flown.files.items():
-        # Processes in containers have the same number.
-        fresh = Path(out, "shards", f".{name}.{secrets.token_hex(8)}.unfinished")
+        _write_whole(Path(out, "shards", name), content)
+
+
+def begin(out: Path, begun: str) -> None:
+    """Begins the folder of a study, unless it is: by the text that the program described it with, which looked at what is
+    there."""
+    Path(out, "shards").mkdir(parents=True, exist_ok=True)
+    if not Path(out, "study.json").exists():
+        _write_whole(Path(out, "study.json"), begun.encode())
+
+
+def _write_whole(path: Path, content: bytes) -> None:
+    # Processes in containers have the same number.
+    fresh = path.with_name(f".{path.name}.{secrets.token_hex(8)}.unfinished")
+    try:
         with fresh.open("wb") as file:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
-        fresh.replace(Path(out, "shards", name))
+        fresh.replace(path)
+    except BaseException:
+        fresh.unlink(missing_ok=True)
+        raise

@@ -1,7 +1,10 @@
 """Studies on a cluster of this machine are those of the plain program, to the bit."""
 
+import contextlib
+import io
 import json
 import os
+import re
 import shutil
 import signal
 import struct
@@ -18,6 +21,7 @@ import duckdb
 from distributed import Client, LocalCluster
 
 from pilotage_study import Program, StudyFailure, run_study
+from pilotage_study.__main__ import main
 
 PLAN = """
 name = "small"
@@ -160,6 +164,45 @@ class OnACluster(unittest.TestCase):
         self.assertIn("program is 0.0.9 there and", said)
         self.assertTrue(any(worker in said for worker in self.cluster.scheduler_info["workers"]), said)
         self.assertEqual(list(Path(out, "shards").iterdir()), [])
+
+    def test_shards_that_a_program_cannot_fly_are_named_with_the_worker_and_what_is_there_is_kept(self):
+        # A program that breaks over the fifth shard, as one whose disk is full.
+        odd = self.root / "breaks"
+        odd.write_text(
+            '#!/bin/sh\ncase "$*" in *"--only 4 "*) echo "no space left" >&2; exit 1 ;; esac\n'
+            f'exec "{self.program.path}" "$@"\n',
+            encoding="utf-8",
+        )
+        odd.chmod(0o755)
+        out = self.root / "broken"
+        words = ["run", str(self.plan), "--out", str(out), "--program", str(odd)]
+        words += ["--runs-per-shard", str(RUNS_PER_SHARD), "--scheduler", self.cluster.scheduler_address]
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said):
+            self.assertEqual(main(words), 1)
+        workers = "|".join(map(re.escape, self.cluster.scheduler_info["workers"]))
+        blamed = f"pilotage_study: the worker ({workers}) could not do shard 4: no space left\n$"
+        self.assertRegex(said.getvalue(), blamed)
+        self.assertEqual([it for it in Path(out, "shards").iterdir() if it.name.startswith(".")], [])
+        with Client(self.cluster) as client:
+            run_study(self.plan, out, client, program=self.program, runs_per_shard=RUNS_PER_SHARD)
+        self.assertEqual(results(out), self.plain)
+        scratch = [Path(it["local_directory"]) for it in self.cluster.scheduler_info["workers"].values()]
+        self.assertEqual([left for it in scratch for left in it.glob("pilotage-study-*")], [])
+
+    def test_a_study_that_may_stop_ends_at_the_flight_at_which_the_plain_program_does(self):
+        plan = Path(self.root, "stop.toml")
+        rule = 'stop = { measure = "near", half_width = 0.45, every = 1 }\n'
+        plan.write_text(PLAN + rule, encoding="utf-8")
+        plain = self.root / "stop-plain"
+        words = [self.program.path, "study", str(plan), "--quiet", "--out", str(plain)]
+        subprocess.run(words, check=True)
+        self.assertTrue(json.loads(results(plain)[1])["is_stopped"])
+        # All shards are one task's, and the first are enough.
+        out = self.root / "stop"
+        with Client(self.cluster) as client:
+            run_study(plan, out, client, program=self.program, runs_per_shard=1)
+        self.assertEqual(results(out), results(plain))
 
     def test_a_driver_that_is_killed_in_the_middle_goes_on_when_it_is_started_again(self):
         out = self.root / "driver"

@@ -48,6 +48,14 @@ class FromWorkers(unittest.TestCase):
         keep(self.out, FlownShards(json.dumps(BEGUN), {"000000.piece": b"own"}), "tcp://node7:4001")
         self.assertEqual(self._kept(), {"000000.piece": b"own"})
 
+    def test_a_shard_that_cannot_be_written_leaves_nothing_behind(self):
+        # A folder is in the place of the file.
+        Path(self.out, "shards", "000001.piece").mkdir()
+        flown = FlownShards(json.dumps(BEGUN), {"000001.piece": b"own"})
+        with self.assertRaises(OSError):
+            keep(self.out, flown, "tcp://node7:4001")
+        self.assertEqual([it.name for it in Path(self.out, "shards").iterdir()], ["000001.piece"])
+
     def test_the_folder_is_called_by_the_name_of_the_plan_as_the_program_calls_it(self):
         plan = Path(self.out, "second-try.toml")
         plan.write_text('name = "county"\nwork = "reference-table"\n', encoding="utf-8")

@@ -109,6 +109,11 @@ impl Arguments {
             .collect())
     }
 
+    /// Whether it only looks at what is there, so that no folder is begun.
+    pub fn only_looks(&self) -> bool {
+        self.describe || self.merge
+    }
+
     /// Number of threads.
     pub fn threads(&self) -> usize {
         self.threads

@@ -61,7 +61,8 @@ pub fn run(arguments: &Arguments, text: &str) -> CommandResult {
         return Ok(write_whole(path, plan.to_toml()?)?);
     }
     let root = arguments.folder(&plan.name);
-    let folder = StudyFolder::open(&root, &plan, arguments.runs_per_shard)?;
+    let per_shard = arguments.runs_per_shard;
+    let folder = StudyFolder::open(&root, &plan, per_shard, arguments.only_looks())?;
     let study = Arc::new(Study::new(plan)?);
     let mut front = Front::new(&folder, &study);
     front.move_on(&study)?;
@@ -123,14 +124,15 @@ fn fly(
     // Each is kept when it is done, for who is killed to lose no more than is under way.
     let outcome = workers::run_as_done(threads, orders, &Lent::default(), &mut |order, event| {
         match event {
-            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Failed(why) => return Err(format!("shard {}: {why}", wanted[order])),
             JobEvent::Figures(_) => {
                 let rows: Vec<_> = event.read_figures()?;
                 progress.add(rows.len() as u64);
                 folder.keep(study.design(), wanted[order], rows)?;
                 // What others flew beside counts as well.
                 front.move_on(study)?;
-                if front.is_complete() && front.tally.is_enough() {
+                // Whoever asked for these shards alone waits for all of them.
+                if arguments.only.is_empty() && front.tally.is_enough() {
                     return Err(ENOUGH.to_owned());
                 }
             }

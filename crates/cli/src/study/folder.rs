@@ -30,11 +30,16 @@ pub struct StudyFolder {
 }
 
 impl StudyFolder {
-    /// The folder of that plan, begun if it is not there.
+    /// The folder of that plan, begun if it is not there, unless it is only looked at.
     ///
     /// # Errors
     /// A folder that was begun with another plan, size of shards or program; more shards than a folder can have.
-    pub fn open(root: &Path, plan: &StudyPlan, per_shard: u64) -> Result<Self, String> {
+    pub fn open(
+        root: &Path,
+        plan: &StudyPlan,
+        per_shard: u64,
+        only_looks: bool,
+    ) -> Result<Self, String> {
         let runs = plan.runs();
         if runs.div_ceil(per_shard) > MOST_SHARDS {
             return Err(format!(
@@ -46,8 +51,13 @@ impl StudyFolder {
             runs_per_shard: per_shard,
             plan: plan.clone(),
         };
+        let open = if only_looks {
+            Shards::look
+        } else {
+            Shards::open
+        };
         Ok(Self {
-            shards: Shards::open(root, runs.div_ceil(per_shard), "parquet", planned)?,
+            shards: open(root, runs.div_ceil(per_shard), "parquet", planned)?,
             runs,
             per_shard,
         })

@@ -10,6 +10,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::files::write_whole;
 
+/// File with which a folder is begun.
+const BEGINNING: &str = "study.json";
+
 /// Beginning of a folder, which all who work on it must have in common.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Begun<T> {
@@ -31,6 +34,8 @@ struct Description<'a> {
     missing: Vec<u64>,
     /// Whether the shards that are there are enough.
     is_complete: bool,
+    /// Text of the file `study.json` with which the folder is begun, for who fills it with shards that others made.
+    begun: &'a str,
 }
 
 /// Shards of a folder.
@@ -41,6 +46,8 @@ pub struct Shards {
     pub count: u64,
     /// Ending of their files.
     ending: &'static str,
+    /// Text of the file with which the folder is begun.
+    begun: String,
 }
 
 impl Shards {
@@ -54,11 +61,27 @@ impl Shards {
     {
         let shards = root.join("shards");
         fs::create_dir_all(&shards).map_err(|why| format!("{}: {why}", shards.display()))?;
+        let looked = Self::look(root, count, ending, of)?;
+        let path = root.join(BEGINNING);
+        if !path.exists() {
+            write_whole(&path, &looked.begun)?;
+        }
+        Ok(looked)
+    }
+
+    /// As [`Self::open`], but nothing is written: a folder that is not there has no shards.
+    ///
+    /// # Errors
+    /// A folder that was begun with something else, in words.
+    pub fn look<T>(root: &Path, count: u64, ending: &'static str, of: T) -> Result<Self, String>
+    where
+        T: Clone + PartialEq + Serialize + DeserializeOwned,
+    {
         let program = env!("CARGO_PKG_VERSION").to_owned();
         let begun = Begun { program, of };
-        let path = root.join("study.json");
+        let path = root.join(BEGINNING);
         // Looked at first: whoever begins it at this moment writes shards after that file.
-        let has_shards = has_files(&shards, ending)?;
+        let has_shards = has_files(&root.join("shards"), ending)?;
         let other = "give another folder with --out, or remove that folder";
         match fs::read_to_string(&path) {
             Ok(text) => {
@@ -80,15 +103,13 @@ impl Shards {
                     root.display()
                 ));
             }
-            Err(_) => {
-                let text = serde_json::to_string_pretty(&begun).map_err(|why| why.to_string())?;
-                write_whole(&path, text)?;
-            }
+            Err(_) => {}
         }
         Ok(Self {
             root: root.to_owned(),
             count,
             ending,
+            begun: serde_json::to_string_pretty(&begun).map_err(|why| why.to_string())?,
         })
     }
 
@@ -162,6 +183,7 @@ impl Shards {
             shards: self.count,
             missing: missing.collect(),
             is_complete,
+            begun: &self.begun,
         };
         let text = serde_json::to_string_pretty(&description).map_err(|why| why.to_string())?;
         println!("{text}");
@@ -169,10 +191,14 @@ impl Shards {
     }
 }
 
-/// Whether a folder has files of that ending.
+/// Whether a folder is there and has files of that ending.
 fn has_files(folder: &Path, ending: &str) -> Result<bool, String> {
     let told = |why: std::io::Error| format!("{}: {why}", folder.display());
-    for entry in fs::read_dir(folder).map_err(told)? {
+    let entries = match fs::read_dir(folder) {
+        Err(why) if why.kind() == ErrorKind::NotFound => return Ok(false),
+        entries => entries.map_err(told)?,
+    };
+    for entry in entries {
         if entry.map_err(told)?.path().extension() == Some(ending.as_ref()) {
             return Ok(true);
         }

@@ -2,7 +2,9 @@
 
 use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{FrameLabels, MapReference, Mission, Route, WayPoint, write_mission};
+use pilotage_core::mission::{
+    FrameLabels, MapReference, Mission, Route, WayPoint, read_mission, write_mission,
+};
 use pilotage_core::raster::{Picture, encode_png};
 use pilotage_core::simulate::Scenario;
 use serde_json::Value;
@@ -116,6 +118,40 @@ fn a_detector_by_pieces_is_the_one_that_is_trained_at_once() {
     assert!(words.contains("held-out photos"), "{words}");
 }
 
+#[test]
+fn a_detector_that_cannot_be_trained_holds_up_none_of_the_others() {
+    let folder = Folder::new("map-work-untrainable");
+    let name = "distinct-400ft-calm";
+    let mut mission = Scenario::named(name).expect("it is there").mission();
+    mission.landmarks.truncate(2);
+    let large = &mut mission.landmarks[0];
+    large.name = "Everything".to_owned();
+    large.bounds = large.bounds.grown(2000.0);
+    mission.map = Some(MapReference::Scenario(name.to_owned()));
+    folder.write("two.geojson", write_mission(&mission));
+    let plan = "name = \"cascades\"\nwork = \"detectors\"\nmission = \"two.geojson\"\nphotos = 6\n";
+    folder.write("work.toml", plan);
+    let said = folder.work(&["--out", "two"]).unwrap();
+    let why = "not trained: landmark \"Everything\" does not fit into a picture";
+    assert!(
+        said.contains(why) && said.contains("held-out photos"),
+        "{said}"
+    );
+    let described = folder.work(&["--out", "two", "--describe"]).unwrap();
+    assert!(described.contains("\"is_complete\": true"), "{described}");
+    let trained = read_mission(&folder.bytes("two/mission.geojson")).unwrap();
+    let has_one = |index: usize| trained.landmarks[index].trained_text().is_some();
+    assert_eq!((has_one(0), has_one(1)), (false, true));
+    // Where none can be trained, it ends with the reasons.
+    mission.landmarks.truncate(1);
+    folder.write("two.geojson", write_mission(&mission));
+    let none = folder.work(&["--out", "none"]).unwrap_err();
+    assert!(
+        none.contains("no detector could be trained") && none.contains(why),
+        "{none}"
+    );
+}
+
 /// Fields of many sizes and greys, none like another, 200 by 200 m.
 fn patchwork(folder: &Folder) {
     let picture = Picture::from_fn(400, 400, |x, y| {
@@ -207,7 +243,11 @@ fn pieces_are_of_the_files_beside_the_map_and_of_the_flight_that_they_were_made_
     folder.write("work.toml", format!("{plan}flight = \"flown\"\n"));
     // In the folder of the flight, of which it is no part.
     let work = || folder.work(&["--out", "flown/out", "--describe"]);
-    work().expect("the work begins");
+    let described: Value = serde_json::from_str(&work().expect("it can be done")).unwrap();
+    // Begun as who fills it with pieces of others begins it.
+    std::fs::create_dir_all(folder.0.join("flown/out/shards")).unwrap();
+    let begun = described["begun"].as_str().expect("a text");
+    folder.write("flown/out/study.json", begun);
     work().expect("it goes on");
     folder.write("flown/notes.txt", "windy");
     photo(&folder, "b.png", 20);

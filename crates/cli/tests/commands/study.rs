@@ -139,6 +139,17 @@ fn a_study_that_may_stop_does_so_at_the_same_flight_however_it_is_cut() {
         (&said["is_complete"], &said["missing"]),
         (&true.into(), &Vec::<u64>::new().into())
     );
+    // Who asks for shards alone gets all of them, needed or not.
+    let only = [
+        "--out",
+        "only",
+        "--runs-per-shard",
+        "3",
+        "--only",
+        "0,1,2,3,4,5,6,7,8,9",
+    ];
+    folder.study(&only).unwrap();
+    assert_eq!(folder.shards("only"), 10);
     // Shards of which nothing says what they are of are nobody's.
     std::fs::remove_file(folder.0.join("many/study.json")).unwrap();
     let why = folder
@@ -164,6 +175,7 @@ fn what_cannot_be_done_is_told_with_a_remedy() {
         why.contains("1 of 1 shards are missing in small.study"),
         "{why}"
     );
+    folder.study(&["--only", "0"]).unwrap();
     let why = folder.study(&["--runs-per-shard", "9"]).unwrap_err();
     assert!(
         why.contains("was begun with another plan") && why.contains("--out"),
@@ -265,4 +277,28 @@ fn routes_of_a_mission_beside_the_plan_are_compared_and_the_packed_plan_needs_no
         .study(&["--out", "beside", "--runs-per-shard", "3"])
         .unwrap_err();
     assert!(other.contains("begun with another plan"), "{other}");
+}
+
+#[test]
+fn who_only_looks_at_a_study_writes_nothing() {
+    let folder = Folder::with_plan("looks", PLAN);
+    let there = || -> Vec<String> {
+        let entries = std::fs::read_dir(&folder.0).unwrap();
+        let names = entries.map(|it| it.unwrap().file_name().to_string_lossy().into_owned());
+        names.collect()
+    };
+    let before = there();
+    let said = folder.study(&["--describe"]).unwrap();
+    let said: Value = serde_json::from_str(&said).unwrap();
+    assert_eq!(said["missing"].as_array().map(Vec::len), Some(1));
+    let lacking = folder.study(&["--merge"]).unwrap_err();
+    assert!(lacking.contains("1 of 1 shards are missing"), "{lacking}");
+    folder.run(&["study", "settings"]).unwrap();
+    assert_eq!(there(), before);
+    // What it says that a folder is begun with is what it is begun with.
+    folder.study(&["--quiet", "--out", "flown"]).unwrap();
+    let begun = std::fs::read_to_string(folder.0.join("flown/study.json")).unwrap();
+    assert_eq!(said["begun"], begun.as_str());
+    let other = folder.study(&["--out", "flown", "--runs-per-shard", "7", "--describe"]);
+    assert!(other.unwrap_err().contains("begun with another plan"));
 }

@@ -134,6 +134,8 @@ pub enum JobEvent {
     Untested(Box<UntestedDetection>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.
     Envelope(Box<Envelope>),
+    /// A landmark has nothing by which a detector could be trained, whoever tries; `Failed` follows with the same words.
+    Untrainable(String),
     /// Progress of the training of a detector.
     Training(Box<TrainingReport>),
     /// A detector is trained.

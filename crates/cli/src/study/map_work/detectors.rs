@@ -28,6 +28,19 @@ struct Trained {
     sigmas: [f64; 2],
 }
 
+/// Piece that a landmark came to.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum TrainedPiece {
+    /// A detector.
+    Trained(Trained),
+    /// None, whoever trains it.
+    Untrainable {
+        /// Why, in words.
+        untrainable: String,
+    },
+}
+
 /// The detectors to be trained.
 pub struct TrainedDetectors {
     ground: PlannedFlight,
@@ -122,9 +135,15 @@ impl Piecework for TrainedDetectors {
                     false_alarms: outcome.false_alarms,
                     sigmas: outcome.sigmas,
                 };
-                Some(serde_json::to_vec(&trained).map_err(|why| why.to_string()))
+                Some(TrainedPiece::Trained(trained))
             }
+            // It is an outcome as well: the others do not wait for one that there cannot be.
+            JobEvent::Untrainable(untrainable) => Some(TrainedPiece::Untrainable { untrainable }),
             _ => None,
+        };
+        let of = move |event: JobEvent| {
+            let piece = of(event)?;
+            Some(serde_json::to_vec(&piece).map_err(|why| why.to_string()))
         };
         order_each(wanted, (&order, &of), (threads, &self.lent), keep)
     }
@@ -134,9 +153,16 @@ impl Piecework for TrainedDetectors {
         pieces: Vec<Vec<u8>>,
     ) -> Result<PieceworkOutcome, Box<dyn std::error::Error>> {
         let mut mission = self.ground.mission.clone();
-        let mut words = String::new();
+        let (mut words, mut count) = (String::new(), 0);
         for (landmark, piece) in self.landmarks.iter().zip(pieces) {
-            let trained: Trained = serde_json::from_slice(&piece)?;
+            let trained = match serde_json::from_slice(&piece)? {
+                TrainedPiece::Trained(trained) => trained,
+                TrainedPiece::Untrainable { untrainable } => {
+                    words.push_str(&format!("not trained: {untrainable}\n"));
+                    continue;
+                }
+            };
+            count += 1;
             let [north, east] = trained.sigmas;
             let line = format!(
                 "{}: found in {} of {} held-out photos, {} false alarms, ± {north:.2} m north, {east:.2} m east\n",
@@ -146,6 +172,9 @@ impl Piecework for TrainedDetectors {
             let kept = mission.landmarks.iter_mut().find(|l| l.id == landmark.id);
             let changed = kept.and_then(|it| keep(it, &trained.detector, DetectorChoice::Cascade));
             words.extend(changed.map(|changed| format!("  {changed}\n")));
+        }
+        if count == 0 {
+            return Err(format!("no detector could be trained\n{}", words.trim_end()).into());
         }
         Ok(PieceworkOutcome {
             name: "mission.geojson",

@@ -76,7 +76,12 @@ fn carry_out(arguments: &Arguments, plan: &MapWorkPlan) -> CommandResult {
         plan: plan.without_places(),
         files: files_of(work.as_ref(), &root)?,
     };
-    let shards = Shards::open(&root, work.pieces(), "piece", planned)?;
+    let open = if arguments.only_looks() {
+        Shards::look
+    } else {
+        Shards::open
+    };
+    let shards = open(&root, work.pieces(), "piece", planned)?;
     if arguments.describe {
         let is_complete = shards.are_all_there();
         return Ok(shards.describe(&plan.name, work.pieces(), 1, is_complete)?);

@@ -57,7 +57,8 @@ pub trait Piecework {
 /// Bytes of the event that has what a piece came to; `None` of all others.
 pub type BytesOf = dyn Fn(JobEvent) -> Option<Result<Vec<u8>, String>>;
 
-/// Does an order for each wanted piece; `keep` takes what `of` makes of the event that has it, once it is done.
+/// Does an order for each wanted piece; `keep` takes what `of` makes of the event that has it, once it is done. An order that
+/// fails after it said what its piece came to has done it.
 ///
 /// # Errors
 /// Whatever fails in an order, or `keep` says.
@@ -68,13 +69,19 @@ pub fn order_each<O: Order + Send>(
     keep: &mut dyn FnMut(u64, Vec<u8>) -> Result<(), String>,
 ) -> Result<(), String> {
     let orders = wanted.iter().map(|piece| order(*piece)).collect();
+    let mut is_kept = vec![false; wanted.len()];
     workers::run_as_done(threads, orders, lent, &mut |number, event| {
         if let JobEvent::Failed(why) = event {
-            return Err(why);
+            return if is_kept[number] {
+                Ok(())
+            } else {
+                Err(format!("piece {}: {why}", wanted[number]))
+            };
         }
-        match of(event) {
-            Some(bytes) => keep(wanted[number], bytes?),
-            None => Ok(()),
-        }
+        let Some(bytes) = of(event) else {
+            return Ok(());
+        };
+        is_kept[number] = true;
+        keep(wanted[number], bytes?)
     })
 }
