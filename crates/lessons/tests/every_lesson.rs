@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use pilotage_lessons::text::{CourseText, Directive, LessonText, Section};
+use pilotage_lessons::text::{CourseText, Directive, LessonText, Piece, Section, pieces};
 use pilotage_lessons::{Lesson, LessonOutcome, Reader, Setting, Written, all};
 
 /// Minutes of a lesson.
@@ -174,6 +174,32 @@ fn the_start_does_not_pass_and_what_is_shown_as_passing_does() {
             lesson.name,
             own[0]
         );
+    }
+}
+
+/// A number comes with its unit: a text that writes it as well says "2 m m".
+#[test]
+fn no_unit_is_said_twice() {
+    for lesson in all().lessons() {
+        let shown = outcome(lesson, &[]);
+        let pieces = pieces(lesson.text).unwrap_or_else(|e| panic!("{}: {e}", lesson.name));
+        for pair in pieces.windows(2) {
+            let [Piece::Directive(directive), Piece::Markdown(after)] = pair else {
+                continue;
+            };
+            let unit = match directive {
+                Directive::Live(name) | Directive::Low(name) | Directive::High(name) => {
+                    shown.value(name).map_or("", |value| value.unit)
+                }
+                Directive::Written { unit, .. } => unit,
+                _ => "",
+            };
+            let again = after.trim_start().strip_prefix(unit).unwrap_or("…");
+            let is_again =
+                !unit.is_empty() && !again.starts_with(|c: char| c == '…' || c.is_alphanumeric());
+            let place: String = after.chars().take(30).collect();
+            assert!(!is_again, "{}: {directive:?}{place}", lesson.name);
+        }
     }
 }
 

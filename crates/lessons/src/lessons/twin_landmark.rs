@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 
 use crate::lesson::{Check, Lesson, LessonOutcome, Value};
-use crate::models::{WatchedFlight, draw_symptoms, gate_of_looks};
+use crate::models::{WatchedFlight, WatchedRun, draw_symptoms, gate_of_looks};
 use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
@@ -25,17 +25,22 @@ pub(super) const LESSON: Lesson = Lesson {
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
+/// The flight with the look at a moment left out.
+fn fly(left_out: f64, gated: bool) -> WatchedRun {
     let flight = WatchedFlight {
         between: BETWEEN,
         blind: BLIND,
         wind_deviation: 3.0,
         twin: Some((TWIN.0, Vector2::from(TWIN.1))),
-        left_out: Some(setting.get("left-out")),
-        gated: setting.chosen("gate") == 0,
+        left_out: Some(left_out),
+        gated,
         ..WatchedFlight::default()
     };
-    let flown = flight.fly();
+    flight.fly()
+}
+
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
+    let flown = fly(setting.get("left-out"), setting.chosen("gate") == 0);
     let at = |time: f64| {
         flown
             .looks
@@ -60,5 +65,21 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("error", flown.largest_error(140.0), "m"),
         ],
         checks: vec![Check::at_most("beyond", 0.0), Check::at_most("error", 20.0)],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ten_looks_in_a_row_are_refused_right_after_the_twin_passed() {
+        let flown = fly(115.0, true);
+        let refused = flown.looks.iter().filter(|look| !look.accepted);
+        let refused: Vec<f64> = refused.map(|look| look.time).collect();
+        let ten: Vec<f64> = (1..=10).map(|k| TWIN.0 + BETWEEN * f64::from(k)).collect();
+        assert_eq!(refused, ten);
+        // Leaving out a look that does not happen changes nothing.
+        assert!([120.0, 125.0].iter().all(|time| fly(*time, true) == flown));
     }
 }
