@@ -175,8 +175,10 @@ fn what_cannot_be_done_is_told_with_a_remedy() {
         why.contains("1 of 1 shards are missing in small.study"),
         "{why}"
     );
-    folder.study(&["--only", "0"]).unwrap();
-    let why = folder.study(&["--runs-per-shard", "9"]).unwrap_err();
+    let begun = ["--out", "begun", "--quiet"];
+    folder.study(&begun).unwrap();
+    let other = [&begun[..], &["--runs-per-shard", "9"]].concat();
+    let why = folder.study(&other).unwrap_err();
     assert!(
         why.contains("was begun with another plan") && why.contains("--out"),
         "{why}"
