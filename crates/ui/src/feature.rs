@@ -4,6 +4,7 @@
 use egui::{Rect, Ui};
 use pilotage_core::exchange::FlownValues;
 use pilotage_core::flight::overview::Finding;
+use pilotage_core::flight::photo::PhotoSearch;
 use pilotage_core::frames::GroundRect;
 use pilotage_jobs::{
     Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenedFiles, TrackSeries,
@@ -46,7 +47,7 @@ pub enum FeaturePlace {
     BesideMap,
     /// A dialog over everything, which it draws itself while that is open.
     Dialog,
-    /// No place: it has no panel, nor layers; its tool has the map of any workspace before that of the workspace.
+    /// No place: it has no panel; its tool has the map of any workspace before that of the workspace.
     Nowhere,
 }
 
@@ -470,6 +471,12 @@ pub trait Feature {
 
     /// Its button on the camera picture of a flight.
     fn picture_button(&self) -> Option<PictureButton> {
+        None
+    }
+
+    /// Photo that is looked at in it: key of the files that it is among, its name, and what is known of it better than it
+    /// tells.
+    fn photo(&self) -> Option<(&str, &str, &PhotoSearch)> {
         None
     }
 

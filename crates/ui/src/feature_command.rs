@@ -10,6 +10,9 @@ pub type FeatureId = &'static str;
 /// Identity of the feature that flies studies, which dialogs offer.
 pub const STUDIES: FeatureId = "study";
 
+/// Identity of the feature that finds pictures among roads, which the sheet of photos offers.
+pub const AMONG_ROADS: FeatureId = "among_roads";
+
 /// Action of a feature, which the app passes on without knowing it.
 pub trait FeatureAction: Any + Send + Sync {
     /// Whether it is the same as `other`.

@@ -57,6 +57,7 @@ features! {
     pub columns::ColumnsFeature,
     pub measure::Measure,
     pub roads::Roads,
+    pub among_roads::AmongRoads,
     pub screenshot::Screenshot,
     film::Films,
 }

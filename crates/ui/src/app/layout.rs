@@ -644,7 +644,7 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
             for (index, feature) in features.iter_mut().enumerate() {
                 let own = feature.info().place;
                 let is_owner = own == place;
-                if own == FeaturePlace::Nowhere {
+                if own == FeaturePlace::Nowhere && feature.tool().is_some() {
                     tools.extend(feature.tool());
                 } else if beside.map_or(is_owner, |beside| beside == index) {
                     let tool = feature.tool();

@@ -1,7 +1,7 @@
 //! Photos on the map, as a feature: their commands, their jobs and their layer.
 
 use egui::{Key, Ui};
-use pilotage_core::flight::photo::RegisteredPhoto;
+use pilotage_core::flight::photo::{PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{GroundRect, LocalFrame};
 use pilotage_jobs::{JobEvent, JobId, OpenedFiles};
 use serde_json::Value;
@@ -171,6 +171,7 @@ impl Feature for PhotosFeature {
             photos: &self.state,
             has_map: documents.map.is_real() && frame.is_some(),
             are_of_another_map: self.state.are_of_another_map(&documents.map.source),
+            has_roads: !documents.mission.roads.is_empty(),
             frame,
         };
         photos_sheet(ui, context, &scene);
@@ -268,6 +269,20 @@ impl Feature for PhotosFeature {
 
     fn leaves_flight_aside(&self) -> bool {
         true
+    }
+
+    /// The chosen photo, or the first, while they are shown; else one that waits for a map.
+    fn photo(&self) -> Option<(&str, &str, &PhotoSearch)> {
+        let shown = self.state.sought.as_ref().filter(|_| self.is_shown);
+        let (key, name) = match (shown, &self.awaiting) {
+            (Some(shown), _) => {
+                let name = shown.names.get(self.state.chosen.unwrap_or_default());
+                (&shown.key, name)
+            }
+            (None, Some((key, names))) => (key, names.first()),
+            (None, None) => return None,
+        };
+        Some((key, name?, &self.state.search))
     }
 
     /// Ground of the chosen photo, and some around it.

@@ -8,6 +8,7 @@ use super::state::PhotosState;
 use super::{chosen, list, search};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::feature_command::{AMONG_ROADS, FeatureCommand};
 use crate::shell::{at_work, counted, heading, muted, of_before, text_button, title};
 
 /// Draws the sheet.
@@ -73,6 +74,11 @@ fn begin(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
             if text_button(ui, tokens, None, &words, is_new || is_changed).clicked() {
                 send(context, Do::Lay);
             }
+        }
+        let words = "Find this place among the roads";
+        if count > 0 && scene.has_roads && text_button(ui, tokens, None, words, false).clicked() {
+            let find = FeatureCommand::show(AMONG_ROADS);
+            context.commands.push(Command::Feature(find));
         }
         let words = "Open photos …";
         if scene.has_map && text_button(ui, tokens, None, words, count == 0).clicked() {

@@ -3,6 +3,7 @@
 mod support;
 
 mod add_landmark;
+mod among_roads;
 mod autosave;
 mod back;
 mod bookmarks;

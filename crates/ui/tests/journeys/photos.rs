@@ -12,9 +12,9 @@ use super::support::{Rig, rig};
 /// Metres per pixel of the map and of the photos.
 const GSD: f64 = 0.5;
 /// Degrees of latitude and longitude per metre where the map lies.
-const DEGREES: [f64; 2] = [1.0 / 111_170.0, 1.0 / 76_057.0];
+pub const DEGREES: [f64; 2] = [1.0 / 111_170.0, 1.0 / 76_057.0];
 /// Latitude and longitude of the map's north-west corner, degrees.
-const CORNER: [f64; 2] = [47.0, 8.0];
+pub const CORNER: [f64; 2] = [47.0, 8.0];
 /// Pixels of the map, and of a photo.
 const MAP: (usize, usize) = (720, 600);
 const PHOTO: (usize, usize) = (300, 240);
@@ -52,12 +52,17 @@ pub fn town(width: usize, height: usize, seed: u64) -> Picture {
 pub fn photo(ground: &Picture, (left, top): (usize, usize), off: [f64; 2]) -> Vec<u8> {
     let (width, height) = PHOTO;
     let seen = Picture::from_fn(width, height, |x, y| ground.get(left + x, top + y));
-    let jpeg = encode_jpeg(&seen, 92).expect("memory");
     let middle = middle((left, top));
-    let latitude = middle[0] + off[0] * DEGREES[0];
-    let longitude = middle[1] + off[1] * DEGREES[1];
+    let told = [0, 1].map(|i| middle[i] + off[i] * DEGREES[i]);
+    photo_of(&seen, told)
+}
+
+/// A photo of what is `seen`, half a metre a pixel, that a drone took looking down, top to the north. It says at which
+/// latitude and longitude, degrees.
+pub fn photo_of(seen: &Picture, [latitude, longitude]: [f64; 2]) -> Vec<u8> {
+    let jpeg = encode_jpeg(seen, 92).expect("memory");
     // Without a word about its lens its focal length counts as 0.6 of its width.
-    let above = 0.6 * width as f64 * GSD;
+    let above = 0.6 * seen.width() as f64 * GSD;
     let xmp = format!(
         "<x:xmpmeta><rdf:Description drone-dji:GpsLatitude=\"{latitude:.8}\" drone-dji:GpsLongitude=\"{longitude:.8}\" \
          drone-dji:RelativeAltitude=\"+{above:.2}\" drone-dji:FlightYawDegree=\"+4.0\" \
@@ -81,7 +86,7 @@ fn middle((left, top): (usize, usize)) -> [f64; 2] {
     ]
 }
 
-fn file(name: &str, bytes: Vec<u8>) -> OpenedFile {
+pub fn file(name: &str, bytes: Vec<u8>) -> OpenedFile {
     OpenedFile {
         path: name.to_owned(),
         content: bytes.into(),
@@ -89,7 +94,7 @@ fn file(name: &str, bytes: Vec<u8>) -> OpenedFile {
 }
 
 /// The map and the files that say where it lies.
-fn map(ground: &Picture) -> Vec<OpenedFile> {
+pub fn map(ground: &Picture) -> Vec<OpenedFile> {
     let [down, across] = DEGREES.map(|degrees| GSD * degrees);
     let [north, west] = CORNER;
     let world = format!(

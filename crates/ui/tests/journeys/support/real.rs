@@ -24,6 +24,7 @@ pub fn is_real(job: &Job) -> bool {
             | Job::LayPhotos(_)
             | Job::DrapePhoto(_)
             | Job::Find(_)
+            | Job::FindAmongRoads(_)
             | Job::Pack(_)
             | Job::Export(_)
             | Job::Smooth(_)
