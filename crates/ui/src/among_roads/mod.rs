@@ -55,6 +55,6 @@ pub struct AmongRoads {
     /// Whether there are roads, and a picture that can be sought.
     has_roads: bool,
     has_picture: bool,
-    /// What of it is no longer what is open, in words.
+    /// Words of how it is of something that is no longer open, if it is.
     of_before: Option<&'static str>,
 }
