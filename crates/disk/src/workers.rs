@@ -492,9 +492,9 @@ mod tests {
             },
         );
         assert_eq!((given_up, asked), (Err("enough"), 3));
-        assert_eq!(told.recv_timeout(Duration::from_secs(60)), Ok("ended"));
+        assert_eq!(told.recv_timeout(Duration::from_mins(1)), Ok("ended"));
         // Work that does not ask holds nobody up.
-        let sleeps = |_: GoesOn<'_>| std::thread::sleep(Duration::from_secs(60));
+        let sleeps = |_: GoesOn<'_>| std::thread::sleep(Duration::from_mins(1));
         assert_eq!(while_waited_for(sleeps, &mut || Err(())), Err(()));
         assert!(begun.elapsed() < Duration::from_secs(50));
         let breaks = |_: GoesOn<'_>| -> usize { panic!("it broke") };

@@ -1,5 +1,7 @@
 //! Sums that the lessons write out are right: `45 × cos 50° + 30 × sin 50° = 51.9 m` is worked out here.
 
+use std::fmt::Write as _;
+
 use pilotage_lessons::all;
 use pilotage_lessons::text::{Directive, Piece, pieces};
 
@@ -144,7 +146,7 @@ fn written(text: &str) -> String {
     for piece in pieces(text).expect("a text that reads") {
         match piece {
             Piece::Directive(Directive::Written { number, unit, .. }) => {
-                plain += &format!("{number} {unit}");
+                let _ = write!(plain, "{number} {unit}");
             }
             Piece::Directive(_) => plain.push(';'),
             Piece::Markdown(text) => plain += text,

@@ -149,7 +149,7 @@ impl Arm<'_> {
         let is_or =
             |token: &TokenTree| matches!(token, TokenTree::Punct(mark) if mark.as_char() == '|');
         let mut alternatives = pattern.split(is_or);
-        alternatives.any(|it| takes_any(it)) && !self.answers_no() && !self.hands_on(pattern)
+        alternatives.any(takes_any) && !self.answers_no() && !self.hands_on(pattern)
     }
 
     /// Whether it says that all is done, or nothing.

@@ -151,7 +151,7 @@ impl Compare {
         let Some(track) = self.smoothing.track.take() else {
             return;
         };
-        let mut kept = Trajectory::on_the_ground(track.name, track.frame, places.into_iter());
+        let mut kept = Trajectory::on_the_ground(track.name, track.frame, places);
         kept.utc_at_zero = track.utc_at_zero;
         let name = self.shelf.keep(kept).to_owned();
         context.note("Kept for comparison", name);

@@ -244,6 +244,7 @@ pub enum PlanCommand {
 
 impl PlanCommand {
     /// The same about a route, whichever is selected.
+    #[must_use]
     pub fn of(self, route: u32) -> Self {
         Self::OfRoute(route, Box::new(self))
     }

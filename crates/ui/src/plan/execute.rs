@@ -32,12 +32,9 @@ impl Planner {
         if !context.is_shown {
             context.show();
         }
-        let command = match command {
-            PlanCommand::OfRoute(route, command) => {
-                return self.carry_out_of(route, *command, context);
-            }
-            other => other,
-        };
+        if let PlanCommand::OfRoute(route, command) = command {
+            return self.carry_out_of(route, *command, context);
+        }
         let left = self.edit_landmarks(command, context);
         let left = left.and_then(|command| edit_rally_points(command, context));
         let left = left.and_then(|command| self.measure(command, context));
@@ -60,9 +57,8 @@ impl Planner {
                 }
             }
             PlanCommand::SetGround { height, finished } => {
-                context
-                    .documents
-                    .state_ground(height, EditStep::of(finished));
+                let step = EditStep::of(finished);
+                context.documents.state_ground(height, step);
                 context.document_changed();
             }
             PlanCommand::Train(command) => self.train(command, context),

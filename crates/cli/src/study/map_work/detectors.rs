@@ -158,7 +158,7 @@ impl Piecework for TrainedDetectors {
             let trained = match serde_json::from_slice(&piece)? {
                 TrainedPiece::Trained(trained) => trained,
                 TrainedPiece::Untrainable { untrainable } => {
-                    words.push_str(&format!("not trained: {untrainable}\n"));
+                    words += &["not trained: ", &untrainable, "\n"].concat();
                     continue;
                 }
             };

@@ -65,7 +65,7 @@ const OF_LITCHI: &[(&str, ColumnRole)] = &[
     ("altitude(feet)", ABOVE_START),
 ];
 
-/// Units in which SimConnect gives heights and speeds where nobody asks for others; angles are asked for in either.
+/// Units in which `SimConnect` gives heights and speeds where nobody asks for others; angles are asked for in either.
 const OF_SIM_CONNECT: &[(&str, &str)] = &[
     ("PLANE ALTITUDE", "ft"),
     ("INDICATED ALTITUDE", "ft"),

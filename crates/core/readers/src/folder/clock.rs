@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn a_counter_that_is_full_goes_on_from_there_and_a_restart_does_not() {
         for (format, length) in [
-            (TimeFormat::Microseconds, 4294.967_296),
+            (TimeFormat::Microseconds, 4_294.967_296),
             (TimeFormat::Milliseconds, 65.536),
             (TimeFormat::Milliseconds, 4_294_967.296),
         ] {

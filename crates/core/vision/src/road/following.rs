@@ -311,9 +311,9 @@ mod tests {
             for _ in 0..50 {
                 let r = 0.5 * (near + far);
                 if over(place(r)) <= longest {
-                    near = r
+                    near = r;
                 } else {
-                    far = r
+                    far = r;
                 }
             }
             assert!(rect.grown(1e-6).contains(&place(near)), "{step}");

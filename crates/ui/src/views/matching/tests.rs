@@ -8,22 +8,26 @@ use super::super::fixture::match_pictures;
 use super::super::shown::{Shown, shown};
 use super::*;
 
-/// The view, and the pictures that it is given with the generation of the run that they are of.
-type WithPictures = (MatchView, Option<(u64, MatchPictures)>);
+/// The view, and the pictures that it is given with what they are of.
+type WithPictures = (MatchView, Option<(ExplainedStep, Result<MatchPictures, String>)>);
 
 fn harness(time: f64) -> Harness<'static, Shown<WithPictures>> {
     let draw = |(view, given): &mut WithPictures, ui: &mut Ui, context: &mut ViewContext<'_>| {
-        let pictures = given.as_ref().map(|(run, pictures)| {
-            let of = ExplainedStep {
-                run: *run,
-                time: pictures.time,
-                landmark: pictures.landmark,
-            };
-            (of, pictures)
-        });
+        let pictures = given.as_ref().map(|(of, pictures)| (*of, pictures));
         view.show(ui, context, pictures);
     };
     shown([420.0, 560.0], time, draw)
+}
+
+/// Pictures of a run of that generation, as the view is given them.
+fn of_run(run: u64, pictures: MatchPictures) -> (ExplainedStep, Result<MatchPictures, String>) {
+    let (time, landmark) = (pictures.time, pictures.landmark);
+    let of = ExplainedStep {
+        run,
+        time,
+        landmark,
+    };
+    (of, Ok(pictures))
 }
 
 #[test]
@@ -47,11 +51,11 @@ fn pictures_of_another_match_are_not_shown() {
     harness.run();
     let (time, landmark) = harness.state().view.0.wanted().unwrap();
     let other = match_pictures(time - 1.0, landmark);
-    harness.state_mut().view.1 = Some((1, other));
+    harness.state_mut().view.1 = Some(of_run(1, other));
     harness.run();
     harness.get_by_label("The pictures of this match are on their way");
     let right = match_pictures(time, landmark);
-    harness.state_mut().view.1 = Some((1, right));
+    harness.state_mut().view.1 = Some(of_run(1, right));
     harness.run();
     harness.get_by_label("Map patch, rectified picture, and score at every place");
 }
@@ -61,7 +65,7 @@ fn the_pictures_of_the_run_before_are_not_shown_for_the_match_of_now() {
     let mut harness = harness(12.0);
     harness.run();
     let (time, landmark) = harness.state().view.0.wanted().unwrap();
-    harness.state_mut().view.1 = Some((1, match_pictures(time, landmark)));
+    harness.state_mut().view.1 = Some(of_run(1, match_pictures(time, landmark)));
     harness.run();
     let shown =
         |harness: &Harness<'static, Shown<WithPictures>>| harness.state().view.0.textures.ids();
@@ -70,7 +74,7 @@ fn the_pictures_of_the_run_before_are_not_shown_for_the_match_of_now() {
     harness.run();
     assert_eq!(shown(&harness), before, "once for each match");
     // The landmark was made larger, and the flight flown again.
-    harness.state_mut().view.1 = Some((2, match_pictures(time, landmark)));
+    harness.state_mut().view.1 = Some(of_run(2, match_pictures(time, landmark)));
     harness.run();
     for (before, after) in before.into_iter().zip(shown(&harness)) {
         assert_ne!(before, after);
@@ -85,7 +89,7 @@ fn captions_of_pictures_keep_apart_however_narrow_a_picture_is() {
         let (time, landmark) = harness.state().view.0.wanted().unwrap();
         let mut pictures = match_pictures(time, landmark);
         pictures.patch = Gray::from_fn(patch, 30, |_, _| 100.0);
-        harness.state_mut().view.1 = Some((1, pictures));
+        harness.state_mut().view.1 = Some(of_run(1, pictures));
         harness.run();
         let shapes = harness.output().shapes.iter();
         let texts = shapes.filter_map(|drawn| match &drawn.shape {
