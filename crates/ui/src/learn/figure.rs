@@ -50,7 +50,7 @@ pub(super) struct Figure<'a> {
     pub step: &'a StepReport,
     /// Moment that the stop tells of.
     pub moment: &'a TourMoment,
-    /// What the stop gathered of the run.
+    /// Numbers that the stop gathered of the run.
     pub numbers: &'a FigureNumbers,
     /// The time cursor, seconds in the flight's time base.
     pub time: f64,

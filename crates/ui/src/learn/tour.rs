@@ -29,7 +29,7 @@ pub(super) struct Tour {
     number: usize,
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
-    /// What this stop finds in the run, once it was looked up.
+    /// Findings of this stop in the run, once it was looked up.
     found: Option<FoundStop>,
     /// Number of times that a run was looked through.
     #[cfg(test)]
