@@ -270,3 +270,31 @@ impl From<PlanCommand> for Command {
         Self::Feature(FeatureCommand::new(ID, command))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_of_a_route_keeps_what_it_is_and_is_about_a_way_point_where_that_is() {
+        let moved = PlanCommand::MoveWayPoint {
+            index: 1,
+            to: GroundPoint::default(),
+            finished: true,
+        };
+        assert_eq!(
+            moved.clone().of(7),
+            PlanCommand::OfRoute(7, Box::new(moved.clone()))
+        );
+        for (command, is_of_way_point) in [
+            (moved, true),
+            (PlanCommand::DeleteWayPoint(Some(0)), true),
+            (PlanCommand::DeleteWayPoint(None), false),
+            (PlanCommand::SelectWayPoint(None), false),
+            (PlanCommand::Reverse, false),
+        ] {
+            assert_eq!(command.is_of_way_point(), is_of_way_point, "{command:?}");
+            assert_eq!(command.of(7).is_of_way_point(), is_of_way_point);
+        }
+    }
+}

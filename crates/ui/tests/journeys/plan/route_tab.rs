@@ -242,25 +242,3 @@ fn a_name_is_that_of_the_route_whose_field_it_was_typed_in_whatever_is_clicked_n
     );
     assert_eq!(names(&rig), ["Route 1, home", "Field"]);
 }
-
-#[test]
-fn a_number_set_for_one_route_does_not_reach_another_that_is_selected_in_the_same_moment() {
-    let mut rig = planning();
-    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
-    draw(&mut rig, &[(100.0, -300.0), (100.0, 300.0)]);
-    choose(&mut rig, 2);
-    rig.harness.get_by_label("Route 1").click_accesskit();
-    rig.harness
-        .get_by_role_and_label(
-            egui::accesskit::Role::SpinButton,
-            "Altitude of the way-point",
-        )
-        .set_value_accesskit(250.0);
-    rig.frames(4);
-    let routes = rig.state()["plan"]["routes"].clone();
-    let altitude = |route: usize| routes[route]["way_points"][1]["altitude"].as_f64();
-    assert_eq!(altitude(1), Some(250.0), "{routes}");
-    assert!(altitude(0) < Some(250.0), "{routes}");
-    let selected = rig.state()["plan"]["route"].clone();
-    assert_eq!(selected, routes[0]["id"], "the click is not lost");
-}
