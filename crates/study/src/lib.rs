@@ -7,6 +7,7 @@
 
 mod by_name;
 mod design;
+mod digits;
 mod fault;
 mod fault_kind;
 mod fly;

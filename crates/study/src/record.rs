@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::digits::digits;
 use super::fly::{Study, StudyRow};
 use super::plan::{StudyError, StudyPlan};
 use super::settings::StudySetting;
 use super::summary::{CellSummary, MeasureSummary, StudySummary};
-use super::table::digits;
 use super::value::SettingValue;
 
 /// Number of draws whose flights are kept, to be flown again.

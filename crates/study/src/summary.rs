@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::design::StudyDesign;
+use super::digits::digits;
 use super::fly::StudyRow;
 use super::measured::{DrawPlace, MeanSummary, MeasureTally, QuantileSummary};
 use super::philox::Philox;
 use super::plan::{DrawBy, StudyError, StudyMeasure, refusal};
 use super::resampled::weights;
 use super::settings::StudySetting;
-use super::table::digits;
 use super::value::SettingValue;
 
 /// Measure in a cell.

@@ -1,23 +1,11 @@
 //! Outcome of a study as a table for people.
 
+use super::digits::digits;
 use super::measured::{IntervalBy, MeanSummary};
 use super::summary::{MeasureSummary, StudySummary, cell_words};
 
 /// Quantiles of the table, with their names.
 const SHOWN: [(f64, &str); 2] = [(0.5, "median"), (0.95, "95 % quantile")];
-
-/// Number with a sensible number of digits.
-pub(super) fn digits(value: f64) -> String {
-    // What would be written as nothing below zero is nothing.
-    let value = if value.abs() < 5e-6 { 0.0 } else { value };
-    let places = match value.abs() {
-        size if size >= 100.0 => 1,
-        size if size >= 10.0 => 2,
-        size if size >= 0.1 || size == 0.0 => 3,
-        _ => 5,
-    };
-    format!("{value:.places$}")
-}
 
 fn with_interval(mean: &MeanSummary) -> String {
     let interval = mean.interval.map_or(String::new(), |[low, high]| {

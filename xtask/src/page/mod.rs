@@ -19,9 +19,9 @@ mod weights;
 
 use std::path::Path;
 
-pub use profile::{PROGRAMS, Profile};
+pub use profile::{PROGRAMS, Profile, TARGET};
 pub use sizes::check as check_sizes;
-pub use wasm::{TARGET, compile, ensure_target, without_flags};
+pub use wasm::{compile, ensure_target, without_flags};
 
 use side_by_side::side_by_side;
 

@@ -2,6 +2,9 @@
 
 use crate::failure::Failure;
 
+/// The target of the page.
+pub const TARGET: &str = "wasm32-unknown-unknown";
+
 /// The package of the page itself.
 const PAGE: &str = "pilotage-web";
 

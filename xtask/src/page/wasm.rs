@@ -9,12 +9,9 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use super::{
     machine_paths, never_called,
-    profile::{PROGRAMS, Profile, module_name},
+    profile::{PROGRAMS, Profile, TARGET, module_name},
 };
 use crate::{built, compiler, failure::Failure, places, process, progress::step};
-
-/// The target of the page.
-pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Has rustup bring the target's standard library if this compiler lacks it.
 pub fn ensure_target() -> Result<(), Failure> {

@@ -86,6 +86,11 @@ mod tests {
             let moment = flown.moments.iter().find(|it| it.time >= time);
             moment.map(|it| (it.wind - wind).norm()).unwrap()
         };
-        assert!(off(20.0) > 4.0 && off(65.0) < 2.0, "{} {}", off(20.0), off(65.0));
+        assert!(
+            off(20.0) > 4.0 && off(65.0) < 2.0,
+            "{} {}",
+            off(20.0),
+            off(65.0)
+        );
     }
 }

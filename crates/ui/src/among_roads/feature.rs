@@ -143,9 +143,7 @@ impl Feature for AmongRoads {
         if self.job != Some(job) {
             return false;
         }
-        if event.is_last() {
-            self.job = None;
-        }
+        let is_last = event.is_last();
         match event {
             JobEvent::Progress(share, words) => self.at_work = (share, words),
             JobEvent::Figures(_) => match event.read_figures() {
@@ -159,7 +157,11 @@ impl Feature for AmongRoads {
                 Err(why) => self.trouble = Some(why),
             },
             JobEvent::Failed(why) => self.trouble = Some(why),
-            _ => {}
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => return false,
+        }
+        if is_last {
+            self.job = None;
         }
         true
     }

@@ -63,17 +63,6 @@ const KINDS: [(CsvRole, CsvRole, [char; 2]); 2] = [
     (CsvRole::Longitude, CsvRole::EastWest, ['E', 'W']),
 ];
 
-/// An O that stands alone at the end of a cell, or before its number.
-fn lone_o(cell: &str) -> Option<usize> {
-    let cell = cell.trim_end();
-    let is_o = |letter: char| letter.eq_ignore_ascii_case(&'o');
-    if cell.starts_with(is_o) && !cell.chars().nth(1).is_some_and(char::is_alphabetic) {
-        return Some(0);
-    }
-    let before = cell.strip_suffix(is_o)?;
-    (!before.ends_with(char::is_alphabetic)).then_some(before.len())
-}
-
 impl ReadCsvTable<'_> {
     /// Takes columns of nothing but letters or words of hemispheres for those of latitude and longitude: each stands beside
     /// its angle or is the only one of its letters, and its name says so or the other angle has one as well.
@@ -105,6 +94,7 @@ impl ReadCsvTable<'_> {
             }
         }
     }
+
     /// The letter that an O at a longitude stands for: E (German `Ost`) where west is W or names of columns are German, W
     /// (`Ouest`, `Oeste`, `Ovest`) where east is E or they are of those languages. `None` where nothing tells.
     pub(super) fn meaning_of_o(&self, records: &Records) -> Option<char> {
@@ -142,19 +132,4 @@ impl ReadCsvTable<'_> {
             _ => None,
         }
     }
-}
-
-/// The cell of a longitude with the letter that its O stands for.
-///
-/// # Errors
-/// In words: nothing tells which that is.
-pub(super) fn without_o(cell: &str, meaning: Option<char>) -> Result<String, String> {
-    let Some(at) = lone_o(cell) else {
-        return Ok(cell.to_owned());
-    };
-    let letter = meaning.ok_or_else(|| {
-        format!("`{cell}` may be east (Ost) or west (Ouest, Oeste): write E or W in place of O")
-    })?;
-    let (before, behind) = cell.split_at(at);
-    Ok(format!("{before}{letter}{}", &behind[1..]))
 }

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::csv_columns::{CsvColumn, CsvRole, Unit};
 use super::csv_geometry::geometry;
-use super::csv_hemisphere::without_o;
+use super::csv_letter_o::without_o;
 use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
 use super::{ExchangeError, angle};
 use crate::mission::found::{LonLat, on_globe};

@@ -16,6 +16,7 @@ mod csv_columns;
 mod csv_fixed;
 mod csv_geometry;
 mod csv_hemisphere;
+mod csv_letter_o;
 mod csv_named;
 mod csv_place;
 mod csv_preface;

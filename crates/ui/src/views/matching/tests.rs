@@ -9,7 +9,10 @@ use super::super::shown::{Shown, shown};
 use super::*;
 
 /// The view, and the pictures that it is given with what they are of.
-type WithPictures = (MatchView, Option<(ExplainedStep, Result<MatchPictures, String>)>);
+type WithPictures = (
+    MatchView,
+    Option<(ExplainedStep, Result<MatchPictures, String>)>,
+);
 
 fn harness(time: f64) -> Harness<'static, Shown<WithPictures>> {
     let draw = |(view, given): &mut WithPictures, ui: &mut Ui, context: &mut ViewContext<'_>| {

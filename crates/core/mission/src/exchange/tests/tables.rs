@@ -316,7 +316,10 @@ fn places_of_short_names_squares_and_libraries_are_read() {
         // pyproj: 32632 to 4326 of (448251.5, 5211932.5) and a kilometre east, the middles of their squares.
         (
             "name,MGRS\nA,32TMT4825111932\nB,32T MT 49251 11932\n",
-            [[47.058_879_634_2, 8.318_577_666_3], [47.058_957_221_2, 8.331_744_702_3]],
+            [
+                [47.058_879_634_2, 8.318_577_666_3],
+                [47.058_957_221_2, 8.331_744_702_3],
+            ],
         ),
     ] {
         assert_at(&landmarks(&read(table)), &right);

@@ -6,8 +6,8 @@
 use std::sync::Arc;
 
 use super::noise::{floor, hash2, unit};
-use crate::simulate::channels::{between, floats, times};
 use super::shape::{Spot, spot};
+use crate::simulate::channels::{between, floats, times};
 
 /// Side of a texel at the finest level, metres.
 const TEXEL: f32 = 0.125;
