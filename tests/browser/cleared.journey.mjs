@@ -31,12 +31,12 @@ export async function run(page, tools) {
       throw error;
     }
     return names;
-  }), new Promise((done) => setTimeout(done, 5000, null))]);
+  }), new Promise((done) => setTimeout(done, 4000, null))]);
   let untold = 0; // looks in a row
   for (let i = 0, names = []; i < 240 && !names?.includes("session"); i += 1) {
     names = await files();
     untold = names ? 0 : untold + 1;
-    if (untold === 8) {
+    if (untold === 4) {
       tools.check(await page.evaluate(() => window.app.panic_message()) === undefined, "the program has stopped");
       tools.say("this browser gives its file system back to no page whose data was deleted: what is kept then was not looked at");
       return;

@@ -10,7 +10,7 @@ use crate::{
     built,
     failure::Failure,
     places,
-    process::{program, run},
+    process::{capture, program, succeed},
 };
 
 /// Name of the extension within the package, whichever Python loads it.
@@ -20,8 +20,30 @@ const EXTENSION: &str = if cfg!(windows) {
     "_native.abi3.so"
 };
 
-/// Builds the package, puts it together under cargo's folder and runs its tests, which ask other people's programs too.
-pub fn check() -> Result<(), Failure> {
+/// How the package's own tests went.
+#[derive(Debug)]
+pub struct PackageTests {
+    said: String,
+    outcome: Result<(), Failure>,
+}
+
+impl PackageTests {
+    /// Prints what they said, and fails if they did.
+    pub fn judge(self) -> Result<(), Failure> {
+        print!("{}", self.said);
+        self.outcome
+    }
+}
+
+/// Builds the package, puts it together under cargo's folder and runs its tests, which ask other people's programs too and
+/// keep one core busy.
+pub fn test() -> PackageTests {
+    let mut said = String::new();
+    let outcome = test_saying(&mut said);
+    PackageTests { said, outcome }
+}
+
+fn test_saying(said: &mut String) -> Result<(), Failure> {
     let library = extension::build()?;
     let terminal = terminal()?;
     let sources = places::root().join("python/pilotage");
@@ -37,10 +59,12 @@ pub fn check() -> Result<(), Failure> {
     pytest.env("PYTHONPATH", &package);
     pytest.env("PYTHONDONTWRITEBYTECODE", "1");
     pytest.env("PILOTAGE_PROGRAM", terminal);
-    run(
-        &mut pytest,
-        "the oracles' Python has what tests/oracles/requirements.txt says",
-    )
+    let advice = "the oracles' Python has what tests/oracles/requirements.txt says";
+    let output = capture(&mut pytest, advice)?;
+    for text in [&output.stdout, &output.stderr] {
+        *said += &String::from_utf8_lossy(text);
+    }
+    succeed(&pytest, output.status)
 }
 
 /// The program of the terminal, beside which the tests hold the package, as the native tests have it.
