@@ -10,31 +10,35 @@ use pilotage_base::georeference::nearest;
 /// (spacing · gsd)² / (8 · radius of the Earth), far below a hundredth of a pixel at any scale.
 const SPACING: usize = 16;
 
-/// A weighted sum of pixels with premultiplied coverage.
+/// A weighted sum of pixels with premultiplied coverage: red, green, blue, coverage.
 #[derive(Clone, Copy, Default)]
-pub struct PixelSum {
-    colour: [f32; 3],
-    coverage: f32,
-}
+pub struct PixelSum([f32; 4]);
 
 impl PixelSum {
     /// Adds a pixel.
+    #[inline]
     pub fn add(&mut self, [r, g, b, a]: Rgba, weight: f32) {
         let weight = weight * f32::from(a);
-        self.coverage += weight;
-        for (sum, value) in self.colour.iter_mut().zip([r, g, b]) {
-            *sum += weight * f32::from(value);
-        }
+        let [red, green, blue, coverage] = self.0;
+        self.0 = [
+            red + weight * f32::from(r),
+            green + weight * f32::from(g),
+            blue + weight * f32::from(b),
+            coverage + weight,
+        ];
     }
 
     /// The mean, if the weights add up to `weights`.
+    #[inline]
     pub fn pixel(&self, weights: f32) -> Rgba {
-        let coverage = self.coverage / weights;
+        let [red, green, blue, sum] = self.0;
+        let coverage = sum / weights;
         if coverage < 0.5 {
             return [0; 4];
         }
-        let [r, g, b] = self.colour.map(|c| (c / self.coverage + 0.5) as u8);
-        [r, g, b, (coverage + 0.5).min(255.0) as u8]
+        let mean = |c: f32| (c / sum + 0.5) as u8;
+        let coverage = (coverage + 0.5).min(255.0) as u8;
+        [mean(red), mean(green), mean(blue), coverage]
     }
 }
 
@@ -108,17 +112,24 @@ impl WindowPixels {
         (low.x < high.x && low.y < high.y).then_some((low, high))
     }
 
-    /// Pixel of the picture at (x, y) of the window.
-    fn pixel_at(&self, x: f64, y: f64) -> Vector2<f64> {
+    /// Places in the picture of the four nodes around a pixel of the window.
+    #[inline]
+    fn corners(&self, column: usize, row: usize) -> [Vector2<f64>; 4] {
+        let i = row / SPACING * self.across + column / SPACING;
+        let (above, below) = (&self.nodes[i..][..2], &self.nodes[i + self.across..][..2]);
+        let corners = [above[0], above[1], below[0], below[1]];
+        let Some((turn, _)) = &self.seam else {
+            return corners;
+        };
+        let first = Point2::from(corners[0]);
+        corners.map(|corner| nearest(&corner.into(), &first, turn).coords)
+    }
+
+    /// Pixel of the picture at (x, y) of the window, which lies between `corners`.
+    #[inline]
+    fn pixel_between(&self, corners: &[Vector2<f64>; 4], x: f64, y: f64) -> Vector2<f64> {
         let (x, y) = (x / SPACING as f64, y / SPACING as f64);
-        let (column, row) = (x as usize, y as usize);
-        let (fx, fy) = (x - column as f64, y - row as f64);
-        let i = row * self.across + column;
-        let mut corners = [i, i + 1, i + self.across, i + self.across + 1].map(|i| self.nodes[i]);
-        if let Some((turn, _)) = &self.seam {
-            let first = Point2::from(corners[0]);
-            corners = corners.map(|corner| nearest(&corner.into(), &first, turn).coords);
-        }
+        let (fx, fy) = (x - (x as usize) as f64, y - (y as usize) as f64);
         let top = corners[0] * (1.0 - fx) + corners[1] * fx;
         let bottom = corners[2] * (1.0 - fx) + corners[3] * fx;
         let pixel = top * (1.0 - fy) + bottom * fy;
@@ -136,10 +147,11 @@ impl WindowPixels {
             .collect();
         let weights = (per_side * per_side) as f32;
         Raster::from_fn(self.window.0, self.window.1, |column, row| {
+            let corners = self.corners(column, row);
             let mut sum = PixelSum::default();
             for dy in &offsets {
                 for dx in &offsets {
-                    let p = self.pixel_at(column as f64 + dx, row as f64 + dy);
+                    let p = self.pixel_between(&corners, column as f64 + dx, row as f64 + dy);
                     if (0.0..self.size.0).contains(&p.x) && (0.0..self.size.1).contains(&p.y) {
                         part.sample(p, &mut sum);
                     }
@@ -151,24 +163,33 @@ impl WindowPixels {
 }
 
 impl PyramidRegion<'_> {
-    /// Adds the bilinear sample at a pixel of the picture.
+    /// Adds the bilinear sample at a pixel that the picture has.
+    #[inline]
     fn sample(&self, p: Vector2<f64>, sum: &mut PixelSum) {
         let (x, y) = (p.x * self.scale.0 - 0.5, p.y * self.scale.1 - 0.5);
-        let (left, top) = (x.floor(), y.floor());
-        let (fx, fy) = ((x - left) as f32, (y - top) as f32);
-        let place = |v: f64, level: usize, first: usize, held: usize| {
-            let inside = (v.max(0.0) as usize).min(level - 1);
+        let (left, top) = (floor(x), floor(y));
+        let (fx, fy) = ((x - left as f64) as f32, (y - top as f64) as f32);
+        let place = |v: i64, level: usize, first: usize, held: usize| {
+            let inside = (v.max(0) as usize).min(level - 1);
             inside.saturating_sub(first).min(held - 1)
         };
-        let column = |v: f64| place(v, self.level.0, self.first.0, self.pixels.width());
-        let row = |v: f64| place(v, self.level.1, self.first.1, self.pixels.height());
-        let (c0, c1) = (column(left), column(left + 1.0));
-        let (r0, r1) = (row(top), row(top + 1.0));
-        sum.add(self.pixels.get(c0, r0), (1.0 - fx) * (1.0 - fy));
-        sum.add(self.pixels.get(c1, r0), fx * (1.0 - fy));
-        sum.add(self.pixels.get(c0, r1), (1.0 - fx) * fy);
-        sum.add(self.pixels.get(c1, r1), fx * fy);
+        let column = |v: i64| place(v, self.level.0, self.first.0, self.pixels.width());
+        let row = |v: i64| place(v, self.level.1, self.first.1, self.pixels.height());
+        let (c0, c1) = (column(left), column(left + 1));
+        let above = self.pixels.row(row(top));
+        let below = self.pixels.row(row(top + 1));
+        sum.add(above[c0], (1.0 - fx) * (1.0 - fy));
+        sum.add(above[c1], fx * (1.0 - fy));
+        sum.add(below[c0], (1.0 - fx) * fy);
+        sum.add(below[c1], fx * fy);
     }
+}
+
+/// The whole number at or below `x`, within the numbers that it can be (the library's is a call for each of millions).
+#[inline]
+fn floor(x: f64) -> i64 {
+    let whole = x as i64;
+    whole - i64::from(x < whole as f64)
 }
 
 /// Samples per side of a window's pixel, if that is `remaining` pixels of the level wide.
