@@ -104,6 +104,38 @@ pub fn place_near(course: &[GroundPoint], point: GroundPoint) -> Option<CoursePl
     best.map(|(_, place)| place)
 }
 
+/// The line without the points that lie within `tolerance` metres of the rest (Douglas and Peucker 1973).
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_roads::thinned;
+///
+/// let line = [(0.0, 0.0), (0.2, 10.0), (0.0, 20.0), (9.0, 20.0)].map(|(n, e)| GroundPoint::new(n, e));
+/// assert_eq!(thinned(&line, 0.5), [line[0], line[2], line[3]]);
+/// ```
+pub fn thinned(course: &[GroundPoint], tolerance: f64) -> Vec<GroundPoint> {
+    let mut keeps = vec![false; course.len()];
+    let Some(last) = course.len().checked_sub(1) else {
+        return Vec::new();
+    };
+    (keeps[0], keeps[last]) = (true, true);
+    let mut spans = vec![(0, last)];
+    while let Some((from, to)) = spans.pop() {
+        let off = (from + 1..to.max(from + 1)).map(|i| {
+            let share = nearest_share(course[from], course[to], course[i]);
+            let foot = between(course[from], course[to], share);
+            (i, foot.distance(&course[i]))
+        });
+        let farthest = off.max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((at, _)) = farthest.filter(|it| it.1 > tolerance) {
+            keeps[at] = true;
+            spans.extend([(from, at), (at, to)]);
+        }
+    }
+    let kept = course.iter().zip(keeps).filter(|it| it.1);
+    kept.map(|(point, _)| *point).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -16,7 +16,7 @@ mod straight;
 mod weave;
 
 pub use apls::{AplsEdge, AplsGraph, AplsScore, AplsSettings, apls};
-pub use course::{CoursePlace, course_length, nearest_share, place_along, place_near};
+pub use course::{CoursePlace, course_length, nearest_share, place_along, place_near, thinned};
 pub use fix::{RoadComponent, RoadFix, RoadFixSettings, RoadSighting, fix_on_roads};
 pub use line::{RoadClass, RoadLine};
 pub use map::{RoadCrossing, RoadEdge, RoadMap};

@@ -2,7 +2,7 @@
 
 use egui::{Painter, Pos2, Rect, Shape, Stroke};
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::roads::{RoadClass, RoadLine, RoadsMark, SharedRoads, nearest_share};
+use pilotage_core::roads::{RoadClass, RoadLine, RoadsMark, SharedRoads, thinned};
 
 use super::transform::ScreenFromWorld;
 use crate::tokens::Tokens;
@@ -131,41 +131,6 @@ fn crossings(roads: &[RoadLine]) -> Vec<GroundPoint> {
     let met = same.filter(|ways| ways.iter().map(|way| way.2).sum::<usize>() > 2);
     met.map(|ways| GroundPoint::new(ways[0].0, ways[0].1))
         .collect()
-}
-
-/// The line without the points that lie within `tolerance` metres of the rest (Douglas and Peucker).
-fn thinned(course: &[GroundPoint], tolerance: f64) -> Vec<GroundPoint> {
-    let mut keeps = vec![false; course.len()];
-    let Some(last) = course.len().checked_sub(1) else {
-        return Vec::new();
-    };
-    (keeps[0], keeps[last]) = (true, true);
-    let mut spans = vec![(0, last)];
-    while let Some((from, to)) = spans.pop() {
-        let between = from + 1..to.max(from + 1);
-        let off = between.map(|i| {
-            (
-                i,
-                distance_to_segment(&course[i], &course[from], &course[to]),
-            )
-        });
-        let farthest = off.max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((at, _)) = farthest.filter(|it| it.1 > tolerance) {
-            keeps[at] = true;
-            spans.extend([(from, at), (at, to)]);
-        }
-    }
-    let kept = course.iter().zip(keeps).filter(|it| it.1);
-    kept.map(|(point, _)| *point).collect()
-}
-
-fn distance_to_segment(point: &GroundPoint, from: &GroundPoint, to: &GroundPoint) -> f64 {
-    let (way, off) = (
-        to.to_vector() - from.to_vector(),
-        point.to_vector() - from.to_vector(),
-    );
-    let share = nearest_share(*from, *to, *point);
-    (off - way * share).norm()
 }
 
 #[cfg(test)]
