@@ -134,6 +134,8 @@ pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};
 pub use worker_state::{Advance, Elsewhere, Opens, RunningJob, WorkerState};
 
+pub use follow_road::FollowedRoad;
+
 // All orders: another one is a file of this folder with its type, and a line here.
 orders! {
     small {
@@ -184,5 +186,6 @@ orders! {
         ReadStudyPlan(ReadStudyPlanOrder);
         StudyEnough: pub use study_enough::StudyEnoughOrder;
         StudyFlights: pub use study_flights::StudyFlightsOrder;
+        FollowRoad: pub use follow_road::FollowRoadOrder;
     }
 }
