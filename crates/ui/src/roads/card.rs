@@ -6,10 +6,12 @@ use egui::{ComboBox, Label, Rect, RichText, TextEdit, Ui};
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::Roads;
-use super::command::{RoadChange, RoadCommand, change};
+use super::command::{FOLLOW, RoadChange, RoadCommand, change};
+use super::drawing::{LegKind, RoadDrawing};
+use crate::command::Command;
 use crate::context::ViewContext;
 use crate::map::MapCard;
-use crate::shell::{NumberField, muted, text_button};
+use crate::shell::{NumberField, at_work, muted, text_button};
 
 /// The card.
 const CARD: MapCard = MapCard {
@@ -18,6 +20,8 @@ const CARD: MapCard = MapCard {
     close: "Stop editing roads",
     width: 224.0,
 };
+/// Words for the work on a leg.
+pub(super) const FOLLOWING: &str = "Following the road";
 /// Widths of roads that can be set, metres.
 const WIDTHS: RangeInclusive<f64> = 0.5..=60.0;
 
@@ -40,6 +44,11 @@ impl Roads {
             .selected
             .and_then(|index| Some((index, roads.get(index)?)));
         let hint = match (&self.drawing, selected) {
+            (Some(drawing), _) if drawing.is_awaited() => "Looking for the road in the picture.",
+            (Some(_), _) if self.legs == LegKind::Followed => tokens.advice(
+                "Click along the road: the line follows it. Shift and a click goes straight. Enter, Escape or a double click ends it, Backspace takes a leg back.",
+                "Tap along the road: the line follows it. A double tap ends it.",
+            ),
             (Some(_), _) => {
                 tokens.advice(
                     "Click along the middle of the road. Enter, Escape or a double click ends it, Backspace takes a point back.",
@@ -66,6 +75,14 @@ impl Roads {
         };
         if text_button(ui, tokens, None, label, false).clicked() {
             context.commands.push(RoadCommand::Draw.into());
+        }
+        let mut follows = self.legs == LegKind::Followed;
+        if ui.checkbox(&mut follows, FOLLOW).changed() {
+            context.commands.push(RoadCommand::ToggleFollowing.into());
+        }
+        let is_long = self.drawing.as_ref().and_then(RoadDrawing::progress);
+        if is_long.is_some() && at_work(ui, tokens, FOLLOWING) {
+            context.commands.push(Command::CancelJob);
         }
     }
 

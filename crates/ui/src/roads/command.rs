@@ -14,6 +14,9 @@ pub const ID: FeatureId = "roads";
 /// Label of the command that begins the work on roads.
 pub const LABEL: &str = "Draw and edit roads";
 
+/// Label of the switch by which legs follow the road in the map's picture.
+pub const FOLLOW: &str = "Follow the road in the picture";
+
 /// Change of a road.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RoadChange {
@@ -36,6 +39,12 @@ pub enum RoadCommand {
     Draw,
     /// Put a point of the road that is being drawn there, in the middle of the map if nowhere else.
     Add(Option<GroundPoint>),
+    /// Put a point there, with a straight line to it.
+    AddStraight(GroundPoint),
+    /// Take the last leg of the road that is being drawn back.
+    TakeBack,
+    /// Have the legs that are drawn next follow the road in the map's picture, or no more.
+    ToggleFollowing,
     /// Leave what is under way, step by step.
     Back,
     /// Select a road, and one of its points.
@@ -101,6 +110,13 @@ pub fn commands() -> Vec<CommandEntry> {
             "Point of a road in the middle of the map",
             RoadCommand::Add(None),
         ),
+        entry(
+            CommandGroup::Edit,
+            FOLLOW,
+            vec![shift(Key::K)],
+            RoadCommand::ToggleFollowing.into(),
+        )
+        .also("trace ridge snap centre line draw along"),
         of("Select the next road", RoadCommand::Next),
         of("Select the next point of the road", RoadCommand::NextPoint),
         of(

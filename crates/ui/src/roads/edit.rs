@@ -8,13 +8,19 @@ use super::geometry::{alike, are_one, joined, through};
 use crate::documents::Documents;
 
 impl Documents {
-    /// Adds a road of the usual width of its class, with a crossing where it has a point on another; its index.
-    pub fn add_road(&mut self, class: RoadClass, course: &[GroundPoint]) -> usize {
+    /// Adds a road, of the usual width of its class where its own (metres) is not known, with a crossing where it has a point on
+    /// another; its index.
+    pub fn add_road(
+        &mut self,
+        class: RoadClass,
+        width: Option<f64>,
+        course: &[GroundPoint],
+    ) -> usize {
         self.mission.remember();
         self.mission.is_edited = true;
         self.mission.roads.make_mut().push(RoadLine {
             class,
-            width: class.usual_width(),
+            width: width.unwrap_or(class.usual_width()),
             course: course.to_vec(),
             ..RoadLine::default()
         });
@@ -192,7 +198,7 @@ mod tests {
     fn with_road(east: &[f64]) -> Documents {
         let mut documents = Documents::new(&Session::demo());
         documents.mission.roads = SharedRoads::default();
-        documents.add_road(RoadClass::Track, &line(east));
+        documents.add_road(RoadClass::Track, None, &line(east));
         documents
     }
 
@@ -270,7 +276,7 @@ mod tests {
         let mut documents = with_road(&[0.0, 100.0]);
         let side = [GroundPoint::new(40.0, 30.0), GroundPoint::new(0.0, 30.0)];
         let before = documents.mission.history.depth();
-        documents.add_road(RoadClass::Track, &side);
+        documents.add_road(RoadClass::Track, None, &side);
         assert_eq!(crossings(&documents), 1);
         assert_eq!(documents.mission.history.depth().0, before.0 + 1);
         let points = alike(&documents.mission.roads, 1, 1);
@@ -290,7 +296,7 @@ mod tests {
     fn an_end_that_is_dragged_onto_a_piece_of_another_road_crosses_it_in_the_same_step() {
         let mut documents = with_road(&[0.0, 100.0]);
         let end = |north: f64| GroundPoint::new(north, 30.0);
-        documents.add_road(RoadClass::Track, &[end(40.0), end(10.0)]);
+        documents.add_road(RoadClass::Track, None, &[end(40.0), end(10.0)]);
         for (north, is_over) in [(5.0, false), (0.0, false), (0.0, true)] {
             documents.move_road_points(&[(1, 1)], end(north), is_over);
         }
@@ -304,7 +310,7 @@ mod tests {
     fn a_crossing_that_undo_took_back_is_dragged_no_further() {
         let mut documents = with_road(&[0.0, 100.0]);
         let end = |north: f64| GroundPoint::new(north, 30.0);
-        documents.add_road(RoadClass::Track, &[end(40.0), end(10.0)]);
+        documents.add_road(RoadClass::Track, None, &[end(40.0), end(10.0)]);
         documents.move_road_points(&[(1, 1)], end(0.0), true);
         let points = alike(&documents.mission.roads, 1, 1);
         assert_eq!(points, [(1, 1), (0, 1)]);
@@ -329,8 +335,8 @@ mod tests {
         let mut documents = with_road(&[0.0, 20.0, 30.0, 100.0]);
         let place = |north: f64| GroundPoint::new(north, 30.0);
         let across = [place(40.0), place(0.0), place(-40.0)];
-        documents.add_road(RoadClass::Track, &across);
-        documents.add_road(RoadClass::Track, &across[1..]);
+        documents.add_road(RoadClass::Track, None, &across);
+        documents.add_road(RoadClass::Track, None, &across[1..]);
         assert_eq!(crossings(&documents), 1);
         assert!(documents.delete_road_point(0, 2));
         let course =

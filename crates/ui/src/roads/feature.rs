@@ -3,10 +3,13 @@
 use egui::{Rect, Ui};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::{RoadClass, RoadLine};
+use pilotage_jobs::{JobEvent, JobId};
 use serde_json::{Map, Value};
 
 use super::Roads;
+use super::card::FOLLOWING;
 use super::command::{ID, LABEL, RoadChange, RoadCommand, commands};
+use super::drawing::{LegKind, RoadDrawing};
 use super::geometry::{HIT, alike, are_one, meeting, snapped};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -49,15 +52,14 @@ impl Roads {
 
     /// Leaves the map; a road that is being drawn is one by now, where it has two points.
     fn end(&mut self, context: &mut FeatureContext<'_>) {
-        if self.drawing.is_some() {
-            self.draw(context);
-        }
+        self.finish(context);
         self.leave();
     }
 
     fn leave(&mut self) {
         *self = Self {
             class: self.class,
+            legs: self.legs,
             ..Self::default()
         };
     }
@@ -98,26 +100,50 @@ impl Roads {
         }
     }
 
-    /// Begins a road, or ends the one that is being drawn, which is none with less than two points.
+    /// Begins a road, or ends the one that is being drawn, once its legs are known or at the second time.
     fn draw(&mut self, context: &mut FeatureContext<'_>) {
-        let Some(course) = self.drawing.take() else {
-            self.drawing = Some(Vec::new());
-            self.select(None, None);
+        match &mut self.drawing {
+            None => {
+                self.drawing = Some(RoadDrawing::default());
+                self.select(None, None);
+            }
+            Some(drawing) if drawing.is_awaited() && !drawing.is_ending => drawing.is_ending = true,
+            Some(_) => self.finish(context),
+        }
+    }
+
+    /// Makes a road of the one that is being drawn, which is none with less than two points; legs that are awaited are straight.
+    fn finish(&mut self, context: &mut FeatureContext<'_>) {
+        let Some(mut drawing) = self.drawing.take() else {
             return;
         };
+        drawing.stop(context);
+        let course = drawing.course();
         if course.len() > 1 {
-            let road = context.documents.add_road(self.class, &course);
+            let width = drawing.width();
+            let road = context.documents.add_road(self.class, width, &course);
             self.select(Some(road), None);
             Self::changed(context);
         }
+        self.counts = self.counts(&context.documents.mission.roads);
+    }
+
+    /// Adds a leg to the road that is being drawn, which begins with it if none is.
+    fn add(&mut self, place: GroundPoint, kind: LegKind, context: &mut FeatureContext<'_>) {
+        let drawing = self.drawing.get_or_insert_default();
+        drawing.add(place, kind, context);
+        self.select(None, None);
     }
 
     fn back(&mut self, context: &mut FeatureContext<'_>) {
         match &mut self.drawing {
             // A road by now, as a route would be: undo takes it away again.
-            Some(points) if points.len() > 1 => self.draw(context),
-            Some(points) if !points.is_empty() => points.clear(),
-            Some(_) => self.drawing = None,
+            Some(drawing) if drawing.len() > 1 => self.draw(context),
+            Some(drawing) => {
+                if !drawing.take_back(context) {
+                    self.drawing = None;
+                }
+            }
             None if self.is_joining => self.is_joining = false,
             None if self.point.is_some() => self.point = None,
             None if self.selected.is_some() => self.select(None, None),
@@ -134,7 +160,14 @@ impl Roads {
             self.catch_up(&context.documents.mission.roads);
         }
         self.begin(context);
-        self.obey(command, context);
+        let is_ending = self.drawing.as_ref().is_some_and(|it| it.is_ending);
+        if is_ending && command != RoadCommand::TakeBack {
+            // Whoever goes on does not wait.
+            self.finish(context);
+        }
+        if !is_ending || !matches!(command, RoadCommand::Draw | RoadCommand::Back) {
+            self.obey(command, context);
+        }
         self.counts = self.counts(&context.documents.mission.roads);
     }
 
@@ -147,15 +180,24 @@ impl Roads {
             RoadCommand::Draw => self.draw(context),
             RoadCommand::Add(place) => {
                 let place = place.unwrap_or_else(|| here(&[], context));
-                self.drawing.get_or_insert_default().push(place);
-                self.select(None, None);
+                self.add(place, self.legs, context);
+            }
+            RoadCommand::AddStraight(place) => self.add(place, LegKind::Straight, context),
+            RoadCommand::TakeBack => {
+                if let Some(drawing) = &mut self.drawing {
+                    drawing.take_back(context);
+                }
+            }
+            RoadCommand::ToggleFollowing => {
+                self.legs = match self.legs {
+                    LegKind::Straight => LegKind::Followed,
+                    LegKind::Followed => LegKind::Straight,
+                };
             }
             RoadCommand::Back => self.back(context),
             RoadCommand::Select(road, point) => self.select(road, point),
             RoadCommand::Next => {
-                if self.drawing.is_some() {
-                    self.draw(context);
-                }
+                self.finish(context);
                 let roads = &context.documents.mission.roads;
                 let next = self.selected.map_or(0, |road| road + 1);
                 let next = (!roads.is_empty()).then(|| next % roads.len());
@@ -232,6 +274,9 @@ impl Roads {
             RoadCommand::Toggle
             | RoadCommand::Draw
             | RoadCommand::Add(_)
+            | RoadCommand::AddStraight(_)
+            | RoadCommand::TakeBack
+            | RoadCommand::ToggleFollowing
             | RoadCommand::Back
             | RoadCommand::Select(..)
             | RoadCommand::Next
@@ -319,10 +364,35 @@ impl Feature for Roads {
         CommandLack::unless(is_there, what, advice)
     }
 
-    /// Takes the last point of a road that is being drawn back.
-    fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
-        let points = self.drawing.as_mut().filter(|_| self.is_on);
-        *command == Command::Undo && points.and_then(Vec::pop).is_some()
+    /// Takes the last leg of a road that is being drawn back.
+    fn intercept(&mut self, command: &Command, context: &mut FeatureContext<'_>) -> bool {
+        let drawing = self.drawing.as_mut().filter(|_| self.is_on);
+        *command == Command::Undo && drawing.is_some_and(|it| it.take_back(context))
+    }
+
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) -> bool {
+        let Some(drawing) = &mut self.drawing else {
+            return false;
+        };
+        let is_own = drawing.take(job, &event, context);
+        if drawing.is_ending && !drawing.is_awaited() {
+            self.finish(context);
+        }
+        is_own
+    }
+
+    /// Has the legs that are awaited go straight.
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        let is_stopped = self.drawing.as_mut().is_some_and(|it| it.stop(context));
+        if is_stopped && self.drawing.as_ref().is_some_and(|it| it.is_ending) {
+            self.finish(context);
+        }
+        is_stopped
+    }
+
+    fn progress(&self) -> Option<(f32, &str)> {
+        let share = self.drawing.as_ref()?.progress()?;
+        Some((share, FOLLOWING))
     }
 
     fn leave_map(&mut self, context: &mut FeatureContext<'_>) {
@@ -337,7 +407,10 @@ impl Feature for Roads {
         }
     }
 
-    fn on_flight_changed(&mut self, _context: &mut FeatureContext<'_>) {
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        if let Some(drawing) = &mut self.drawing {
+            drawing.stop(context);
+        }
         self.leave();
     }
 
@@ -379,7 +452,9 @@ impl Feature for Roads {
             "count": roads.len(),
             "classes": classes,
             "on": self.is_on,
-            "drawing": self.drawing.as_ref().map(Vec::len),
+            "drawing": self.drawing.as_ref().map(RoadDrawing::len),
+            "awaited": self.drawing.as_ref().is_some_and(RoadDrawing::is_awaited),
+            "follows": self.legs == LegKind::Followed,
             "joining": self.is_joining,
             "point": self.point,
             "selected": selected.map(|road| object!({

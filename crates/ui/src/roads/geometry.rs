@@ -106,6 +106,11 @@ pub fn are_one(roads: &[RoadLine], points: &[(usize, usize)]) -> bool {
     first.is_some() && points.iter().all(|point| place(point) == first)
 }
 
+/// Whether a place lies on a road.
+pub fn is_on_road(roads: &[RoadLine], place: GroundPoint) -> bool {
+    road_at(roads, place, ON).is_some()
+}
+
 /// Pieces of roads, but for those of `own`, that lead through a place where their road has no point: the road, and the
 /// point at which the piece begins.
 pub fn through(roads: &[RoadLine], own: &[usize], place: GroundPoint) -> Vec<(usize, usize)> {

@@ -2,22 +2,26 @@
 
 mod card;
 mod command;
+mod drawing;
 mod edit;
 mod feature;
 mod geometry;
 mod keyboard;
 mod on_map;
 
-use pilotage_core::frames::GroundPoint;
 use pilotage_core::roads::RoadClass;
+
+use drawing::{LegKind, RoadDrawing};
 
 /// Work on the roads of the mission.
 #[derive(Debug, Default)]
 pub struct Roads {
     /// Whether clicks on the map are for it.
     is_on: bool,
-    /// Points of the road that is being drawn, if one is.
-    drawing: Option<Vec<GroundPoint>>,
+    /// The road that is being drawn, if one is.
+    drawing: Option<RoadDrawing>,
+    /// Way in which the next leg leads to its click.
+    legs: LegKind,
     /// Index of the selected road.
     selected: Option<usize>,
     /// Index of its selected point.

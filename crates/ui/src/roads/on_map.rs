@@ -5,6 +5,7 @@ use pilotage_core::frames::GroundPoint;
 
 use super::Roads;
 use super::command::{RoadChange, RoadCommand, change};
+use super::drawing::RoadDrawing;
 use super::geometry::{HIT, alike, point_at, road_at, snapped};
 use crate::context::ViewContext;
 use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, drag_origin, paint_lifted_line};
@@ -58,18 +59,26 @@ impl Roads {
         }
     }
 
-    /// Does what a click asks for.
-    fn click(&mut self, view: &ScreenFromWorld, at: Pos2, context: &mut ViewContext<'_>) {
+    /// Does what a click asks for; of a road that is drawn `is_straight` says that the next leg is.
+    fn click(
+        &mut self,
+        view: &ScreenFromWorld,
+        (at, is_straight): (Pos2, bool),
+        context: &mut ViewContext<'_>,
+    ) {
         let roads = &context.mission.roads;
         let (place, reach) = (view.inverse(at), HIT * view.metres_per_point);
-        if let Some(points) = &self.drawing {
-            let is_last = points.last().is_some_and(|it| it.distance(&place) <= reach);
-            let command = if is_last {
+        if let Some(drawing) = self.drawing.as_ref().filter(|it| !it.is_ending) {
+            let command = if drawing.ends_at(place, reach) {
                 // So the second click of two that are one ends the road.
-                (points.len() > 1).then_some(RoadCommand::Draw)
+                (drawing.len() > 1).then_some(RoadCommand::Draw)
             } else {
                 let place = snapped(roads, &[], place, reach).unwrap_or(place);
-                Some(RoadCommand::Add(Some(place)))
+                Some(if is_straight {
+                    RoadCommand::AddStraight(place)
+                } else {
+                    RoadCommand::Add(Some(place))
+                })
             };
             context.commands.extend(command.map(Into::into));
             return;
@@ -130,7 +139,8 @@ impl MapTool for Roads {
         if response.clicked()
             && let Some(at) = at
         {
-            self.click(view, at, context);
+            let is_straight = ui.input(|input| input.modifiers.shift);
+            self.click(view, (at, is_straight), context);
             return true;
         }
         if response.hovered() && self.drawing.is_some() {
@@ -155,7 +165,8 @@ impl MapTool for Roads {
             mission,
             ..
         } = *canvas;
-        let course = self.drawing.as_deref();
+        let drawn = self.drawing.as_ref().map(RoadDrawing::course);
+        let course = drawn.as_deref();
         let course = course.unwrap_or_else(|| self.course(&mission.roads));
         let line: Vec<Pos2> = course.iter().map(|point| view.apply(point)).collect();
         for ends in line.windows(2) {
@@ -168,7 +179,13 @@ impl MapTool for Roads {
                 painter.circle(view.apply(&middle), 3.5, tokens.surface, edge);
             }
         }
-        for (index, at) in line.iter().enumerate() {
+        // Of a road that is drawn the ends of the legs, which are what is taken back.
+        let drawn_ends = self
+            .drawing
+            .as_ref()
+            .map(|it| it.ends().map(|end| view.apply(&end)));
+        let points: Vec<Pos2> = drawn_ends.map_or_else(|| line.clone(), Iterator::collect);
+        for (index, at) in points.iter().enumerate() {
             let is_chosen = self.point == Some(index);
             let radius = if is_chosen { 6.5 } else { 4.5 };
             painter.circle(*at, radius, tokens.accent, edge);
@@ -176,7 +193,7 @@ impl MapTool for Roads {
         let Some((pointer, last)) = canvas.pointer.zip(line.last()) else {
             return;
         };
-        if self.drawing.is_some() {
+        if self.drawing.as_ref().is_some_and(|it| !it.is_ending) {
             let reach = HIT * view.metres_per_point;
             let place = snapped(&mission.roads, &[], view.inverse(pointer), reach);
             let to = place.map_or(pointer, |place| view.apply(&place));

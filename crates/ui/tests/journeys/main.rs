@@ -44,6 +44,7 @@ mod reload;
 mod reopen;
 mod replay_film;
 mod roads;
+mod roads_followed;
 mod save;
 mod saved_files;
 mod screenshot;

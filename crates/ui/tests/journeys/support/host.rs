@@ -27,6 +27,7 @@ use pilotage_ui::host::{Download, Host, OpenedFile};
 use pilotage_ui::job_owners::JobOwners;
 
 use super::flight::{flight, mission, run, run_head};
+use super::followed::followed;
 use super::heights::heights;
 use super::laid::{Laying, early_flight, lay_frames};
 use super::real::{Studies, is_real};
@@ -387,6 +388,7 @@ impl ScriptedHost {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
             }
+            Job::FollowRoad(order) => followed(order).into_iter().for_each(&mut say),
             Job::ExplainMatch(order) => explained(order).into_iter().for_each(&mut say),
             _ => self.rehearse(id, job),
         }

@@ -3,8 +3,9 @@
 
 pub mod canvas;
 pub mod flight;
+mod followed;
 pub mod harness;
-pub mod heights;
+mod heights;
 pub mod host;
 pub mod inline;
 pub mod laid;
