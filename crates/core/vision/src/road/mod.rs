@@ -2,6 +2,7 @@
 //!
 //! Pixels have x right, y down, their origin at the outer corner of the top-left pixel.
 
+mod bends;
 mod crossing;
 mod detection;
 mod distance;

@@ -5,6 +5,7 @@ use std::collections::BinaryHeap;
 
 use pilotage_raster::raster::Raster;
 
+use super::bends::{RoadBends, distance, samples, value_at};
 use super::probability::RoadProbability;
 use super::ridge::{RoadBody, ridge_points};
 use super::seen::{RoadPoint, along};
@@ -27,7 +28,7 @@ const LIKE: f64 = 0.5;
 /// and where others meet it, it is wide.
 const ALIKE: f64 = 1.5;
 
-/// A line along a road, in pixels of the picture.
+/// A line along a road, in pixels of the picture; of two places where the road is straight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TracedRoad {
     /// Places (x, y) from the one end to the other: on the centre line where a road is seen, straight in between.
@@ -36,14 +37,15 @@ pub struct TracedRoad {
     pub width: Option<f64>,
     /// Length of the line, pixels.
     pub length: f64,
-    /// Share of the line that is expected to lie on a road: the mean of the probability along the way.
+    /// Share of the line that is expected to lie on a road: the mean of the probability along it.
     pub on_road: f64,
     /// Length of the longest stretch on which no road is seen, pixels.
     pub gap: f64,
 }
 
 /// Search for the way between two places of a picture that costs least: each pixel costs less the more probable a road is
-/// there, and less in the middle of a road than at its edges (Dijkstra 1959, as live-wire tools of drawing do).
+/// there, and less in the middle of a road than at its edges (Dijkstra 1959, as live-wire tools of drawing do). A line that the
+/// picture makes little more likely than the straight one is straight.
 ///
 /// ```
 /// use pilotage_raster::raster::Gray;
@@ -163,39 +165,71 @@ impl RoadTrace {
     pub fn traced(self, is_free: [bool; 2]) -> TracedRoad {
         let way = self.way();
         let places: Vec<[f64; 2]> = way.iter().map(|at| self.middle(*at)).collect();
-        let sum: f64 = way
+        let probability = &self.seen.probability;
+        let points = ridge_points(&self.body, probability);
+        let mut along = beside(&places, &points);
+        let mut width = usual_width(&along);
+        let line = self.line(&along, places.len(), is_free, width);
+        let places: Vec<[f64; 2]> = line
+            .windows(2)
+            .flat_map(|piece| samples(piece[0], piece[1]))
+            .collect();
+        if line.len() == 2 && places.len() > 1 {
+            // Of the road below it, which may be another one.
+            along = beside(&places, &points);
+            width = usual_width(&along);
+        }
+        let sum: f64 = places
             .iter()
-            .map(|at| f64::from(self.seen.probability.pixels()[*at]))
+            .map(|it| f64::from(value_at(probability, *it)))
             .sum();
-        let on_road = sum / way.len().max(1) as f64;
-        let points = ridge_points(&self.body, &self.seen.probability);
-        let mut beside = beside(&places, &points);
-        let mut widths: Vec<f64> = beside.iter().map(|(_, point)| point.width).collect();
-        widths.sort_unstable_by(f64::total_cmp);
+        let mut line: Vec<[f64; 2]> = line.into_iter().map(|it| self.in_picture(it)).collect();
+        let last = line.len() - 1;
+        for (at, end) in [(0, self.ends[0]), (last, self.ends[1])] {
+            // Ends that stay are the very ones.
+            if distance(line[at], end) < 1e-9 {
+                line[at] = end;
+            }
+        }
+        let length = line.windows(2).map(|piece| distance(piece[0], piece[1]));
         let scale = self.seen.mean_scale();
-        let width = widths.get(widths.len() / 2).copied();
+        TracedRoad {
+            length: length.sum(),
+            width: width.map(|width| width / scale),
+            on_road: sum / places.len().max(1) as f64,
+            gap: gap(&self.body.mask, &places) / scale,
+            line,
+        }
+    }
+
+    /// The line through the points beside a way of so many pixels, with the bends that the picture is worth.
+    fn line(
+        &self,
+        along: &[(usize, RoadPoint)],
+        pixels: usize,
+        is_free: [bool; 2],
+        width: Option<f64>,
+    ) -> Vec<[f64; 2]> {
         let usual = width.unwrap_or_default();
-        beside.retain(|(_, point)| (usual / ALIKE..=usual * ALIKE).contains(&point.width));
+        let is_usual = |point: &RoadPoint| (usual / ALIKE..=usual * ALIKE).contains(&point.width);
+        let beside: Vec<(usize, RoadPoint)> =
+            along.iter().filter(|it| is_usual(&it.1)).copied().collect();
         let [from, to] = [0, 1].map(|end| {
             let [x, y] = self.ends[end];
             let own = [x * self.seen.scale[0], y * self.seen.scale[1]];
             let at = if end == 0 { self.start } else { self.end };
             let is_moved = is_free[end] && self.body.mask.pixels()[at];
             let middle = is_moved.then(|| nearest(&beside, own)).flatten();
-            middle.map_or(self.ends[end], |place| self.in_picture(place))
+            middle.unwrap_or(own)
         });
         let mut line = vec![from];
-        let inner = corners(&beside, places.len());
-        line.extend(inner.into_iter().map(|place| self.in_picture(place)));
+        line.extend(corners(&beside, pixels));
         line.push(to);
-        let length = line.windows(2).map(|piece| distance(piece[0], piece[1]));
-        TracedRoad {
-            length: length.sum(),
-            width: width.map(|width| width / scale),
-            on_road,
-            gap: gap(&self.body.mask, &way, &places) / scale,
-            line,
-        }
+        let bends = width.map(|width| RoadBends {
+            probability: &self.seen.probability,
+            width,
+        });
+        bends.map_or_else(|| vec![from, to], |bends| bends.kept(&line))
     }
 
     /// Pixels of the cheapest way, from the start to the end.
@@ -219,10 +253,6 @@ impl RoadTrace {
     fn in_picture(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [x / self.seen.scale[0], y / self.seen.scale[1]]
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 /// Points of centre lines that run with the way, which lies on their roads: each with the number of the nearest place of it.
@@ -283,12 +313,19 @@ fn corners(beside: &[(usize, RoadPoint)], pixels: usize) -> Vec<[f64; 2]> {
     seen.map(|([x, y], count)| [x / count, y / count]).collect()
 }
 
-/// Distance between the ends of the longest stretch of the way off all roads, pixels.
-fn gap(mask: &Raster<bool>, way: &[usize], places: &[[f64; 2]]) -> f64 {
+/// Median width of the roads of points, pixels.
+fn usual_width(along: &[(usize, RoadPoint)]) -> Option<f64> {
+    let mut widths: Vec<f64> = along.iter().map(|(_, point)| point.width).collect();
+    widths.sort_unstable_by(f64::total_cmp);
+    widths.get(widths.len() / 2).copied()
+}
+
+/// Distance between the ends of the longest stretch of a line of such places off all roads, pixels.
+fn gap(mask: &Raster<bool>, places: &[[f64; 2]]) -> f64 {
     let mut longest = 0.0_f64;
     let mut begun = None;
-    for (at, place) in way.iter().zip(places) {
-        if mask.pixels()[*at] {
+    for place in places {
+        if value_at(mask, *place) {
             begun = None;
         } else {
             longest = longest.max(distance(*begun.get_or_insert(*place), *place));
@@ -367,6 +404,30 @@ mod tests {
             let over = distance([x, y], from) + distance([x, y], to);
             assert!(over < 275.0 + 8.0, "{over}");
         }
+    }
+
+    #[test]
+    fn a_straight_road_is_not_left_for_a_bent_one_that_looks_little_better() {
+        // Ten pixels wide both, from the same begin to the same end.
+        let is_bent = |x: f32, y: f32| (y - 40.0 - 0.002_5 * (x - 100.0).powi(2)).abs() < 5.0;
+        let probability = Gray::from_fn(200, 120, |x, y| {
+            let (x, y) = (x as f32 + 0.5, y as f32 + 0.5);
+            if is_bent(x, y) {
+                0.9
+            } else if (y - 60.0).abs() < 5.0 {
+                0.7
+            } else {
+                0.02
+            }
+        });
+        let seen = RoadProbability {
+            probability,
+            scale: [1.0, 1.0],
+        };
+        let road = traced(seen, [10.5, 60.5], [189.5, 60.5]);
+        assert_eq!(road.line.len(), 2, "{:?}", road.line);
+        assert!((road.on_road - 0.75).abs() < 0.05 && road.gap == 0.0);
+        assert!(road.width.is_some_and(|width| width > 7.0));
     }
 
     #[test]

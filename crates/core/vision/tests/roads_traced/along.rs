@@ -35,12 +35,28 @@ fn leg(seen: &RoadProbability, from: [f64; 2], to: [f64; 2]) -> Option<TracedRoa
     (road.on_road >= 0.5 && road.width.is_some()).then_some(road)
 }
 
-/// Distances of followed roads, and of the straight lines between the same clicks, from the stored line, metres; the number of
-/// legs that are followed and of all; differences of widths, metres.
+/// Distances from the stored line, metres, of lines as they would be drawn and of the straight ones between the same clicks.
+#[derive(Default)]
+struct Distances {
+    drawn: Vec<f64>,
+    straight: Vec<f64>,
+}
+
+impl Distances {
+    /// Medians of both, and the 90 % quantile of what is drawn.
+    fn told(&mut self) -> (f64, f64, f64) {
+        let (off, straight) = (median(&mut self.drawn), median(&mut self.straight));
+        let far = self.drawn.get(self.drawn.len() * 9 / 10);
+        (off, straight, far.copied().unwrap_or(f64::NAN))
+    }
+}
+
+/// Distances of all legs, and of those that bend with a road; the number of the latter and of all; differences of widths,
+/// metres.
 #[derive(Default)]
 struct Along {
-    followed: Vec<f64>,
-    straight: Vec<f64>,
+    all: Distances,
+    bent: Distances,
     legs: (usize, usize),
     widths: Vec<f64>,
 }
@@ -63,17 +79,25 @@ fn traced_again(site: &Site, seen: &RoadProbability) -> Along {
             }
             let (from, to) = (part[0], part[part.len() - 1]);
             along.legs.1 += 1;
-            let Some(road) = leg(seen, from, to) else {
+            let off = |line: &[[f64; 2]]| -> Vec<f64> {
+                let away = part.iter().map(|place| distance(*place, line) * GSD);
+                away.collect()
+            };
+            let straight = off(&[from, to]);
+            let road = leg(seen, from, to);
+            let drawn = road
+                .as_ref()
+                .map_or_else(|| straight.clone(), |road| off(&road.line));
+            if road.as_ref().is_some_and(|road| road.line.len() > 2) {
+                along.legs.0 += 1;
+                along.bent.drawn.extend(&drawn);
+                along.bent.straight.extend(&straight);
+            }
+            along.all.drawn.extend(drawn);
+            along.all.straight.extend(straight);
+            let Some(road) = road else {
                 continue;
             };
-            along.legs.0 += 1;
-            let off = |line: &[[f64; 2]]| -> Vec<f64> {
-                part.iter()
-                    .map(|place| distance(*place, line) * GSD)
-                    .collect()
-            };
-            along.followed.extend(off(&road.line));
-            along.straight.extend(off(&[from, to]));
             let widths = road.width.zip(line.width);
             along
                 .widths
@@ -90,19 +114,20 @@ fn roads_followed_from_click_to_click_lie_on_the_lines_that_people_traced() {
         let seen = probability_by(&network, &site.grid, GSD);
         let mut along = traced_again(&site, &seen);
         let (followed, all) = along.legs;
-        let (off, straight) = (median(&mut along.followed), median(&mut along.straight));
-        let far = along.followed.get(along.followed.len() * 9 / 10);
+        let (off, straight, far) = along.bent.told();
+        let of_all = along.all.told();
         println!(
-            "{}: {followed} of {all} legs of {LEG} m followed; stored lines lie {off:.2} m off in the median, {:.2} m at 90 %; \
-             off straight lines {straight:.2} m; widths {:.1} m",
+            "{}: {followed} of {all} legs of {LEG} m bend with a road; stored lines lie {off:.2} m off them in the median, \
+             {far:.2} m at 90 %; off straight lines {straight:.2} m; of all legs {:.2} m, off straight lines {:.2} m; widths {:.1} m",
             site.name,
-            far.copied().unwrap_or(f64::NAN),
+            of_all.0,
+            of_all.1,
             median(&mut along.widths)
         );
         if site.name == "caliterra" {
             assert!(
-                2 * followed >= all && off < 2.0,
-                "{followed} of {all}, {off} m"
+                followed >= 2 && off < 2.0 && off < 0.5 * straight,
+                "{followed} of {all}, {off} m, {straight} m"
             );
         }
     }
