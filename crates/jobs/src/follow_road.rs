@@ -23,7 +23,7 @@ pub struct FollowRoadOrder {
     pub map: MapSource,
     /// The places, in the frame of the map.
     pub ends: [GroundPoint; 2],
-    /// Whether each of them may be moved into the middle of the road on which it lies.
+    /// Freedom of each of them to be moved into the middle of the road on which it lies.
     pub is_free: [bool; 2],
 }
 
