@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let why = "is no probability; give percent above 0, 100 at most";
         return Err(format!("--on-map: {percent} {why}").into());
     }
-    let least = class(&arguments.least)?;
+    let least = class(&arguments.least, "--least")?;
     let motions = motions(arguments)?;
     let around = arguments.around.as_deref();
     let around = around.map(|at| lat_lon(at, "--around")).transpose()?;

@@ -1,8 +1,9 @@
-//! `pilotage roads`: road maps read, printed, put into missions, written, compared; flights by them, places on them.
+//! `pilotage roads`: road maps read, printed, drawn, put into missions, written, compared; flights by them, places on them.
 
 mod fly;
 mod lost;
 mod source;
+mod trace;
 
 use std::path::PathBuf;
 
@@ -72,6 +73,8 @@ enum Task {
     Fly(fly::Arguments),
     /// Say where photos, or roads that were seen, are among all roads of a map, if that is sure.
     Lost(lost::Arguments),
+    /// Draw a road from place to place along the road in a map's picture, and write it.
+    Trace(trace::Arguments),
 }
 
 /// Does what the arguments say.
@@ -83,7 +86,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             mission,
             least,
             replace,
-        } => import(source, mission, class(least)?, *replace)?,
+        } => import(source, mission, class(least, "--least")?, *replace)?,
         Task::Export { source, out } => {
             let source = RoadSource::open(source)?;
             tell(&source.notes());
@@ -120,6 +123,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
         Task::Fly(arguments) => fly::run(arguments)?,
         Task::Lost(arguments) => lost::run(arguments)?,
+        Task::Trace(arguments) => trace::run(arguments)?,
     }
     Ok(())
 }

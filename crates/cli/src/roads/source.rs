@@ -82,12 +82,12 @@ impl RoadSource {
     }
 }
 
-/// The class of that name.
-pub fn class(name: &str) -> Result<RoadClass, String> {
+/// The class of that name, given by an option.
+pub fn class(name: &str, option: &str) -> Result<RoadClass, String> {
     let known = RoadClass::ALL.iter().find(|(_, key, _)| *key == name);
     known.map(|(class, ..)| *class).ok_or_else(|| {
         let keys: Vec<&str> = RoadClass::ALL.iter().map(|(_, key, _)| *key).collect();
         let keys = keys.join(", ");
-        format!("--least: there is no class \"{name}\"; there are {keys}")
+        format!("{option}: there is no class \"{name}\"; there are {keys}")
     })
 }

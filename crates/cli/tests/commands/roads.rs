@@ -2,10 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use pilotage_core::frames::Geodetic;
+use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::package::{MissionPackage, read_package, write_package};
 use pilotage_core::mission::{Mission, read_mission, write_mission};
 use pilotage_core::raster::{Picture, encode_png};
+use pilotage_core::roads::files::read_roads;
+use pilotage_core::roads::{course_length, place_along, place_near};
+use pilotage_core::simulate::{Scenario, world_origin};
 
 use super::folder::Folder;
 
@@ -190,5 +193,59 @@ fn a_road_far_off_is_one_more_square_of_a_map_and_refused_of_a_view() {
     assert!(
         refused.contains("a pixel of the picture shows 600.0 m"),
         "{refused}"
+    );
+}
+
+#[test]
+fn a_road_is_traced_from_place_to_place_in_the_picture_of_a_map() {
+    let folder = Folder::new("roads-trace");
+    let frame = LocalFrame::new(world_origin());
+    let scenario = &Scenario::all()[0];
+    let map = Scenario::map().road_map();
+    let line = map
+        .lines()
+        .iter()
+        .find(|line| course_length(&line.course) > 400.0)
+        .expect("a long road");
+    let places: Vec<String> = [100.0, 200.0, 300.0]
+        .map(|along| place_along(&line.course, along).expect("on it").point)
+        .map(|place| {
+            let place = frame.geodetic_from_ground(&place);
+            let [latitude, longitude] = [place.latitude, place.longitude].map(f64::to_degrees);
+            format!("{latitude:.8},{longitude:.8}")
+        })
+        .into();
+    let trace = |map: &str, places: &[String]| {
+        let mut words = vec!["roads", "trace", map, "--out", "road.geojson"];
+        for place in places {
+            words.extend(["--at", place]);
+        }
+        folder.run(&words)
+    };
+    let said = trace(scenario.name, &places).unwrap();
+    assert!(
+        said.contains("leg 2: ") && said.contains(" m wide"),
+        "{said}"
+    );
+    let read = read_roads(&std::fs::read(folder.0.join("road.geojson")).unwrap()).unwrap();
+    let [road] = &read.in_world(&frame)[..] else {
+        panic!("one road")
+    };
+    assert!((course_length(&road.course) - 200.0).abs() < 10.0, "{said}");
+    for place in &road.course {
+        let near = place_near(&line.course, *place).expect("a line").point;
+        assert!(near.distance(place) < line.width, "{place:?}: {said}");
+    }
+    let alone = trace(scenario.name, &places[..1]).unwrap_err();
+    assert!(alone.contains("two places at least"), "{alone}");
+    folder.write(
+        "town.png",
+        encode_png(&Picture::filled(40, 20, [90; 3])).unwrap(),
+    );
+    folder.write("town.pgw", "0.5\n0\n0\n-0.5\n0.25\n-0.25\n");
+    let nowhere = trace("town.png", &places).unwrap_err();
+    assert!(
+        nowhere.contains("nothing says where on the globe"),
+        "{nowhere}"
     );
 }
