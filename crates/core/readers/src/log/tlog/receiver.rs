@@ -10,6 +10,8 @@ const LEAP: f64 = 20.0;
 /// Most places that are looked at, and most topics that are asked at each.
 const MOST_LEAPS: usize = 200;
 const MOST_TOPICS: usize = 16;
+/// Rows of a topic among which wrong times of single messages are the fewer, as far as they are enough.
+const MAJORITY: usize = 4 * ENOUGH;
 /// Beyond a day the clock was not set before, seconds.
 const DAY: f64 = 86_400.0;
 
@@ -115,12 +117,16 @@ impl ReceiverLeaps {
                 };
                 let offset = |rows: std::ops::Range<usize>| least_offset(received, sent, rows);
                 let before = offset(begin.max(start.start)..row);
-                let after = offset(row..next.min(start.end));
+                // Between wrong times of single messages lie few: more tell.
+                let after = offset(row..next.min(start.end))
+                    .or_else(|| offset(row..(row + MAJORITY).min(start.end)));
                 if let Some((before, after)) = before.zip(after) {
                     let by = after - before;
                     let is_leap = by.abs() > LEAP && goes_on(sent, row);
                     leap.get_or_insert(if is_leap { by } else { 0.0 });
-                    begin = row;
+                    if is_leap {
+                        begin = row;
+                    }
                 }
             }
             if leaps.iter().all(Option::is_some) {
@@ -145,16 +151,19 @@ fn goes_on(sent: &[f64], row: usize) -> bool {
         .is_some_and(|(before, after)| (0.0..LEAP).contains(&(after - before)))
 }
 
-/// The offset between both clocks that the promptest messages among rows tell, one of ten aside; `None` of too few.
+/// The offset between both clocks that the promptest messages among rows tell, about one of ten aside; `None` of too few.
+///
+/// Times of the receiver are behind no checksum: an offset that few others tell is that of a wrong time.
 fn least_offset(received: &[f64], sent: &[f64], rows: std::ops::Range<usize>) -> Option<f64> {
     let rows = rows.start..rows.end.max(rows.start);
     let mut offsets: Vec<f64> = rows
         .map(|row| received[row] - sent[row])
         .filter(|offset| offset.is_finite())
         .collect();
-    if offsets.len() < ENOUGH {
-        return None;
-    }
-    let rank = offsets.len() / 10;
-    Some(*offsets.select_nth_unstable_by(rank, f64::total_cmp).1)
+    offsets.sort_unstable_by(f64::total_cmp);
+    let tenth = offsets.len() / 10;
+    let agreed = offsets
+        .windows(ENOUGH.max(tenth + 1))
+        .find(|some| some[some.len() - 1] - some[0] <= LEAP)?;
+    Some(agreed[tenth])
 }

@@ -149,3 +149,32 @@ fn a_vehicle_that_starts_again_is_still_a_second_start() {
         assert!((times(&log, "VFR_HUD")[299] - 659.8).abs() < 1e-3);
     }
 }
+
+#[test]
+fn single_wrong_times_of_the_receiver_are_no_clock_that_was_set() {
+    // Bits of the receiver's times that fell over, as damage does that no checksum tells: two in ten rows.
+    for seed in 0..11 {
+        for (from, to) in [(60, 240), (3, 100), (200, 299)] {
+            let wrong = |i: u32| (from..to).contains(&i) && (i % 10 == 3 || i % 10 == 6);
+            let clock = |i: u32, r: f64| {
+                let bit = 25 + (3 * i + seed) % 11;
+                let by = 2_f64.powi(bit as i32) * 1e-6;
+                match (wrong(i), i % 4) {
+                    (true, 0 | 3) => r - by,
+                    (true, _) => r + by,
+                    _ => r,
+                }
+            };
+            let log = log(clock, regular);
+            let times = times(&log, "ATTITUDE");
+            assert_eq!(times.len(), 300, "{seed} {from}");
+            for (index, time) in times.iter().enumerate() {
+                let right = 0.2 * index as f64;
+                assert!((time - right).abs() < 1e-3, "{seed} {from} {index} {time}");
+            }
+            let remarks = &log.report.remarks;
+            let is_set = remarks.iter().any(|remark| remark.contains("was set"));
+            assert!(!is_set, "{seed} {from} {remarks:?}");
+        }
+    }
+}
