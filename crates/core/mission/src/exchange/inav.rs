@@ -243,11 +243,16 @@ impl InavItem {
                     source.error(element.begin, cause)
                 }),
         };
+        let (latitude, longitude) = (number("lat")?, number("lon")?);
+        if !on_globe(longitude, latitude) {
+            let cause = format!("missionitem: {latitude}, {longitude} is no place on the globe");
+            return Err(source.error(element.begin, cause));
+        }
         Ok(Self {
             number: value("no").to_owned(),
             action: value("action").to_uppercase(),
-            latitude: number("lat")?,
-            longitude: number("lon")?,
+            latitude,
+            longitude,
             altitude: number("alt")?,
             parameters: [
                 number("parameter1")?,

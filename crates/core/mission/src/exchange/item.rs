@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::mission::WayPointAction;
+use crate::mission::found::on_globe;
 use pilotage_base::frames::{Altitude, AltitudeFrame};
 
 pub(super) const WAY_POINT: u16 = 16;
@@ -123,6 +124,19 @@ impl MissionItem {
         let is_landing = self.action() == Some(WayPointAction::Land);
         let metres = self.parameters[6].or(is_landing.then_some(0.0))?;
         Some(Altitude::new(metres, frame))
+    }
+
+    /// Index of the parameter that is no latitude or no longitude, though the command leads to a place on the globe, and what
+    /// is wrong with it.
+    pub(super) fn place_fault(&self) -> Option<(usize, String)> {
+        self.action().and(frame_of_number(self.frame))?;
+        let [.., latitude, longitude, _] = self.parameters;
+        let (index, beyond, name) = match (latitude, longitude) {
+            (Some(latitude), _) if !on_globe(0.0, latitude) => (4, latitude, "latitude"),
+            (_, Some(longitude)) if !on_globe(longitude, 0.0) => (5, longitude, "longitude"),
+            _ => return None,
+        };
+        Some((index, format!("{beyond} is no {name} in degrees")))
     }
 
     /// Action at the place of the command; `None` if it leads to no place.

@@ -16,6 +16,7 @@ use super::item_route::{Home, MissionStep, SAME_ALTITUDE, route_of};
 use super::plan_firmware::{self, MISSION, PlanFirmware};
 use super::route_items::{RouteStep, home_of, members, steps_of_plan};
 use super::{ExchangeError, Places, plan_terrain, rally};
+use crate::mission::found::on_globe;
 use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, Route, WayPoint, degrees};
@@ -46,7 +47,16 @@ fn read_text(file: &str, text: &Text) -> Result<GeodeticContent, MissionError> {
     let Some(items) = mission.remove("items") else {
         return Err(text.error(text.0, "mission.items: there is no list of commands"));
     };
+    let home_piece = mission.get("plannedHomePosition").copied();
     let home: Option<Vec<Option<f64>>> = text.take(&mut mission, "plannedHomePosition")?;
+    if let Some(([Some(latitude), Some(longitude), ..], piece)) = home.as_deref().zip(home_piece)
+        && !on_globe(*longitude, *latitude)
+    {
+        let fault = format!(
+            "mission.plannedHomePosition: {latitude}, {longitude} is no place on the globe"
+        );
+        return Err(text.error(piece.get(), fault));
+    }
     let home = home.and_then(|h| match h[..] {
         // Where home was never set, QGroundControl writes zeros.
         [Some(latitude), Some(longitude), altitude, ..] if (latitude, longitude) != (0.0, 0.0) => {
@@ -161,6 +171,10 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<MissionSte
         parameters,
         is_continued: is_continued.unwrap_or(true),
     };
+    if let Some((parameter, fault)) = item.place_fault() {
+        let fault = format!("{}[{parameter}]: {fault}", path("params"));
+        return Err(text.error(params_place, fault));
+    }
     let mode: Option<f64> = at(
         &path("AltitudeMode"),
         text.take(&mut members, "AltitudeMode"),

@@ -267,15 +267,19 @@ fn line(text: &str, has_decimal_commas: bool) -> Result<WaypointLine, (usize, St
     if may_leave_heading(command) {
         parameters[3] = parameters[3].filter(|heading| *heading != 0.0);
     }
+    let item = MissionItem {
+        frame: whole(2, 255.0)? as u8,
+        command,
+        parameters,
+        is_continued: whole(11, 1.0)? == 1.0,
+    };
+    if let Some((parameter, fault)) = item.place_fault() {
+        return Err((column(4 + parameter), fault));
+    }
     Ok(WaypointLine {
         sequence: whole(0, 65535.0)? as usize,
         is_current: whole(1, 1.0)? == 1.0,
-        item: MissionItem {
-            frame: whole(2, 255.0)? as u8,
-            command,
-            parameters,
-            is_continued: whole(11, 1.0)? == 1.0,
-        },
+        item,
     })
 }
 

@@ -172,3 +172,61 @@ fn no_fly_areas_come_back_as_such_with_their_holes() {
         }
     }
 }
+
+#[test]
+fn a_way_point_beyond_a_pole_is_refused_by_its_line_in_every_format_of_missions() {
+    let refused = |file: &str, text: &str, line: Option<usize>, words: &str| {
+        let error = read_any(file, text.as_bytes(), None)
+            .unwrap_err()
+            .to_string();
+        let is_told = line.is_none_or(|line| error.contains(&format!("line {line},")));
+        assert!(is_told && error.contains(words), "{file}: {error}");
+    };
+    let list = |latitude: &str, longitude: &str| {
+        format!(
+            "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t-33.85\t18.42\t12\t1\n\
+             1\t0\t3\t16\t0\t0\t0\t0\t{latitude}\t{longitude}\t100\t1\n\
+             2\t0\t3\t16\t0\t0\t0\t0\t-33.84\t18.43\t100\t1\n"
+        )
+    };
+    refused(
+        "a.waypoints",
+        &list("-95", "18.42"),
+        Some(3),
+        "-95 is no latitude",
+    );
+    let beyond = list("-33.85", "1842000000");
+    refused(
+        "a.waypoints",
+        &beyond,
+        Some(3),
+        "1842000000 is no longitude",
+    );
+    let home = list("-33.85", "18.42").replace("\t-33.85\t18.42\t12\t", "\t-95\t18.42\t12\t");
+    refused("a.waypoints", &home, Some(2), "-95 is no latitude");
+    // Of a command that leads nowhere these may be any numbers.
+    let other = list("-95", "18.42").replace("1\t0\t3\t16\t", "1\t0\t3\t181\t");
+    assert!(read_any("a.waypoints", other.as_bytes(), None).is_ok());
+    let plan = |home: &str, latitude: &str| {
+        format!(
+            r#"{{ "fileType": "Plan", "version": 1, "mission": {{ "version": 2,
+  "plannedHomePosition": [{home}, 18.42, 12],
+  "items": [{{ "type": "SimpleItem", "command": 16, "frame": 3,
+    "params": [0, 0, 0, null, {latitude}, 18.42, 100] }}] }} }}"#
+        )
+    };
+    assert!(read_any("a.plan", plan("-33.85", "-33.85").as_bytes(), None).is_ok());
+    let item = "mission.items[0].params[4]: -95 is no latitude";
+    refused("a.plan", &plan("-33.85", "-95"), Some(4), item);
+    refused(
+        "a.plan",
+        &plan("-95", "-33.85"),
+        Some(2),
+        "mission.plannedHomePosition: -95",
+    );
+    let inav = r#"<?xml version="1.0"?>
+<mission>
+<missionitem no="1" action="WAYPOINT" lat="-95" lon="18.42" alt="50" parameter1="0" parameter2="0" parameter3="0" flag="165"/>
+</mission>"#;
+    refused("a.mission", inav, Some(3), "-95, 18.42 is no place");
+}
