@@ -119,7 +119,7 @@ impl<'a> ExifDirectory<'a> {
         Some(unsigned(entry.values.get(..size)?, self.is_little))
     }
 
-    /// The numbers of a tag; those over zero are left out.
+    /// The numbers of a tag, in their places: those over zero are no numbers (NaN).
     pub fn reals(&self, tag: u16) -> Vec<f64> {
         let Some(entry) = self.entry(tag) else {
             return Vec::new();
@@ -140,7 +140,10 @@ impl<'a> ExifDirectory<'a> {
                 .collect(),
             _ => Vec::new(),
         };
-        reals.into_iter().filter(|v| v.is_finite()).collect()
+        let finite = reals
+            .into_iter()
+            .map(|v| if v.is_finite() { v } else { f64::NAN });
+        finite.collect()
     }
 
     /// The bytes of a tag.
@@ -148,9 +151,9 @@ impl<'a> ExifDirectory<'a> {
         Some(self.entry(tag)?.values)
     }
 
-    /// The first number of a tag.
+    /// The first of the numbers of a tag, if it is one.
     pub fn real(&self, tag: u16) -> Option<f64> {
-        self.reals(tag).first().copied()
+        self.reals(tag).first().copied().filter(|v| v.is_finite())
     }
 
     /// The letters of a tag up to the first zero, without blanks around them; `None` where nothing is left.
@@ -202,6 +205,14 @@ mod tests {
             tiff.extend(part.to_le_bytes());
         }
         let directory = ExifDirectory::read(&tiff, Some(8), true);
-        assert_eq!(directory.reals(LATITUDE), [46.0, 25.0]);
+        let reals = directory.reals(LATITUDE);
+        assert_eq!(reals[..2], [46.0, 25.0]);
+        assert!(reals.len() == 3 && reals[2].is_nan());
+        tiff[30..34].copy_from_slice(&0_u32.to_le_bytes());
+        let directory = ExifDirectory::read(&tiff, Some(8), true);
+        assert_eq!(directory.real(LATITUDE), Some(46.0));
+        tiff[26..30].copy_from_slice(&0_u32.to_le_bytes());
+        let directory = ExifDirectory::read(&tiff, Some(8), true);
+        assert_eq!(directory.real(LATITUDE), None);
     }
 }

@@ -281,15 +281,20 @@ fn satellite_time(exif: &Exif) -> Option<(i64, f64)> {
         .then(|| (day + seconds.floor() as i64, seconds.fract()))
 }
 
-/// Degrees, minutes and seconds together, radians; negative where `reference` says so.
+/// Degrees, minutes and seconds together, radians; negative where `reference` says so. `None` where one is no number, but
+/// for those behind a fraction, which are none.
 fn angle(gps: &ExifDirectory, tag: u16, reference: u16, negative: &str) -> Option<f64> {
-    let parts = gps.reals(tag);
-    let degrees = match parts[..] {
-        [degrees] => degrees,
-        [degrees, minutes] => degrees + minutes / 60.0,
-        [degrees, minutes, seconds, ..] => degrees + minutes / 60.0 + seconds / 3600.0,
-        [] => return None,
-    };
+    let mut parts = gps.reals(tag);
+    parts.truncate(3);
+    let last = parts.iter().rposition(|part| part.is_finite())?;
+    if parts[last].fract() != 0.0 {
+        parts.truncate(last + 1);
+    }
+    let parts = parts.iter().zip([1.0, 60.0, 3600.0]);
+    let degrees: f64 = parts.map(|(part, of_degree)| part / of_degree).sum();
+    if !degrees.is_finite() {
+        return None;
+    }
     let letter = gps
         .text(reference)
         .map(|letter| letter.trim().to_uppercase());
@@ -388,6 +393,10 @@ fn doubts(gps: &ExifDirectory, xmp: &Xmp) -> Vec<String> {
     }
     let has_own = place(gps, &Xmp::default()).is_some();
     let Some(of_exif) = place(gps, xmp).filter(|_| has_own) else {
+        let angles = [exif::LATITUDE, exif::LONGITUDE].map(|tag| gps.reals(tag));
+        if angles.concat().iter().any(|part| part.is_nan()) {
+            doubts.push("a number of its place in EXIF is over zero: it is left out".to_owned());
+        }
         return doubts;
     };
     let by_xmp = place_of_xmp(xmp).map_or("", |_| ", as XMP says");

@@ -519,3 +519,31 @@ fn the_time_of_the_satellites_goes_before_that_of_a_change() {
         Some((1_714_566_030, 0.0))
     );
 }
+
+#[test]
+fn a_place_of_which_a_number_is_over_zero_is_left_out_but_for_one_behind_a_fraction() {
+    let whole = photo("30", "0", 36, "");
+    let own = ratio(&[(30, 1), (0, 1), (36, 1)]);
+    let at = whole.windows(own.len()).position(|w| w == own).unwrap();
+    let read = |parts: [(u32, u32); 3]| {
+        let mut file = whole.clone();
+        file[at..at + own.len()].copy_from_slice(&ratio(&parts));
+        let photo = read_photo(&MemoryBytes::new("a.jpg", file)).unwrap();
+        let latitude = photo.place.map(|place| place.latitude.to_degrees());
+        (latitude, photo.doubts.concat())
+    };
+    assert!((read([(30, 1), (0, 1), (36, 1)]).0.unwrap() + 30.01).abs() < 1e-9);
+    assert!((read([(30, 1), (126, 10), (0, 0)]).0.unwrap() + 30.21).abs() < 1e-9);
+    assert!((read([(3021, 100), (0, 0), (0, 0)]).0.unwrap() + 30.21).abs() < 1e-9);
+    for broken in [
+        [(30, 1), (12, 1), (0, 0)],
+        [(30, 1), (0, 0), (36, 1)],
+        [(30, 1), (36, 0), (36, 1)],
+        [(0, 0), (12, 1), (36, 1)],
+        [(0, 0); 3],
+    ] {
+        let (latitude, doubts) = read(broken);
+        assert_eq!(latitude, None, "{broken:?}");
+        assert!(doubts.contains("over zero"), "{broken:?} {doubts}");
+    }
+}
