@@ -13,6 +13,7 @@ use crate::CommandResult;
 use crate::filter_options;
 use crate::mission_file::OpenMission;
 use crate::notes::{tell, told};
+use crate::outcome::SeedFlights;
 use crate::replaying::flight_at;
 use crate::scenario::{DayChoice, ground_of, options, seed_range, simulation};
 use crate::workers::{self, Lent};
@@ -54,9 +55,12 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
+/// The table, and the flights that could not be flown.
+type ComparedFlights = (EstimatorComparison, SeedFlights);
+
 /// Compares what the arguments say.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let comparison = if Path::new(&arguments.flight).exists() {
+    let (comparison, flown) = if Path::new(&arguments.flight).exists() {
         recorded(arguments)?
     } else {
         simulated(arguments, &simulation(&arguments.flight)?)?
@@ -65,7 +69,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(path) = &arguments.out {
         crate::files::write_whole(path, serde_json::to_string_pretty(&comparison)?)?;
     }
-    Ok(())
+    flown.all_done()
 }
 
 /// Who takes part; `usual` is the vehicle model of the mission.
@@ -111,10 +115,11 @@ fn contest(
     flights: Vec<FlightSource>,
     map: &MapSource,
     lent: &Lent,
-) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
+) -> Result<ComparedFlights, Box<dyn std::error::Error>> {
     filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let contenders = contenders(arguments, mission.navigator.vehicle)?;
-    let seeds: Vec<u64> = flights.iter().map(FlightSource::estimator_seed).collect();
+    let first = flights.first().map_or(0, FlightSource::estimator_seed);
+    let mut flown = SeedFlights::of((first, first + flights.len() as u64));
     let order = |flight| {
         ContestOrder {
             contenders: contenders.clone(),
@@ -126,11 +131,10 @@ fn contest(
     let orders = flights.into_iter().map(order).collect();
     let mut tallies: Vec<ContenderTally> = Vec::new();
     workers::run(orders, lent, &mut |number, event| {
-        let seed = seeds[number];
+        let seed = flown.seed(number);
         match event {
-            JobEvent::Failed(why) if seeds.len() > 1 => return Err(format!("seed {seed}: {why}")),
-            JobEvent::Failed(why) => return Err(why),
-            JobEvent::Remark(why) if seeds.len() > 1 => eprintln!("seed {seed}, {why}"),
+            JobEvent::Failed(why) => flown.fail(number, &why),
+            JobEvent::Remark(why) if flown.are_several() => eprintln!("seed {seed}, {why}"),
             JobEvent::Remark(why) => eprintln!("{why}"),
             JobEvent::Figures(_) => {
                 let of_flight: Vec<ContenderTally> = event.read_figures()?;
@@ -140,7 +144,7 @@ fn contest(
                     let both = tallies.iter_mut().zip(of_flight);
                     both.for_each(|(tally, other)| tally.merge(other));
                 }
-                if seeds.len() > 1 {
+                if flown.are_several() {
                     eprintln!("seed {seed} is done");
                 }
             }
@@ -148,7 +152,8 @@ fn contest(
         }
         Ok(())
     })?;
-    Ok(EstimatorComparison::of(&tallies))
+    flown.any()?;
+    Ok((EstimatorComparison::of(&tallies), flown))
 }
 
 /// Refuses an option that is said of what cannot follow it.
@@ -162,7 +167,7 @@ fn not_of(flown: &str, said: [(&str, bool); 2]) -> Result<(), String> {
 fn simulated(
     arguments: &Arguments,
     choice: &SimulationChoice,
-) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
+) -> Result<ComparedFlights, Box<dyn std::error::Error>> {
     let mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
         None => choice.mission().ok_or("this flight has no mission")?,
@@ -188,7 +193,7 @@ fn simulated(
     )
 }
 
-fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
+fn recorded(arguments: &Arguments) -> Result<ComparedFlights, Box<dyn std::error::Error>> {
     not_of(
         "a recorded flight",
         [

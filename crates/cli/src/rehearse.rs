@@ -88,7 +88,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         frames.push(flown.frames);
     };
     let as_stated = arguments.no_pictures;
-    fly(&ground, &plan, &prediction, seeds, as_stated, &mut hear)?;
+    let flown = fly(&ground, &plan, &prediction, seeds, as_stated, &mut hear)?;
     let together = Together::new(&flights, &frames);
     if arguments.json {
         let summary = RehearsalSummary {
@@ -100,7 +100,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     } else {
         together.print();
     }
-    Ok(())
+    flown.all_done()
 }
 
 impl FlownFigures {

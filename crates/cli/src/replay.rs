@@ -16,6 +16,7 @@ use crate::filter_options;
 use crate::mission_file::OpenMission;
 use crate::notes::{learned_from, tell, told};
 use crate::numbers::above_zero;
+use crate::outcome::SeedFlights;
 use crate::replay_frames::{print_frames, print_refusals};
 use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
 use crate::scenario::{DayChoice, ground_of, options, seed_range, simulation};
@@ -166,11 +167,12 @@ fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandR
         }
     };
     let orders = (first..end).map(order).collect();
+    let mut flown = SeedFlights::of((first, end));
     let mut runs: Vec<Summary> = Vec::new();
     workers::run(orders, &lent, &mut |number, event| {
-        let seed = first + number as u64;
+        let seed = flown.seed(number);
         match event {
-            JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
+            JobEvent::Failed(why) => flown.fail(number, &why),
             JobEvent::Figures(_) => {
                 let summary: Summary = event.read_figures()?;
                 eprintln!(
@@ -185,6 +187,7 @@ fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandR
         }
         Ok(())
     })?;
+    flown.any()?;
     let study = RunStudy {
         quantiles: table(&runs),
         error_over_bound: error_over_bound(&runs),
@@ -197,7 +200,7 @@ fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandR
     if let Some(path) = &arguments.summary {
         write_json(path, &study)?;
     }
-    Ok(())
+    flown.all_done()
 }
 
 /// Flies a scenario once, and tells everything of it.

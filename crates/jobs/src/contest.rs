@@ -7,6 +7,7 @@ use std::sync::Arc;
 use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::Mission;
+use pilotage_core::navigator::Run;
 use pilotage_core::plan::StatedFrames;
 use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
 
@@ -78,6 +79,34 @@ impl Contest {
         }
     }
 
+    /// Tally of a contender's run: one that cannot go on, or be smoothed, is counted and told, for the others fly all the
+    /// same.
+    fn tally(
+        &self,
+        contender: Contender,
+        flight: &Flight,
+        run: Result<Option<Run>, String>,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> ContenderTally {
+        let mut tally = ContenderTally::new(contender, self.order.smooth);
+        let label = contender.estimator.label();
+        match run {
+            Ok(run) => {
+                let added = run.map_or(Ok(()), |run| tally.add(flight, &run, clock));
+                if let Err(cause) = added {
+                    let words = format!("{label} was flown, but cannot be smoothed: {cause}");
+                    emit(JobEvent::Remark(words));
+                }
+            }
+            Err(cause) => {
+                emit(JobEvent::Remark(format!("{label}: {cause}")));
+                tally.fail();
+            }
+        }
+        tally
+    }
+
     fn progress(&self, contender: Contender) -> JobEvent {
         let flown = self.flying.as_ref().map_or(0.0, |(it, _)| it.progress());
         let share = (self.tallies.len() as f32 + flown) / self.order.contenders.len() as f32;
@@ -115,22 +144,9 @@ impl RunningJob for Contest {
         let outcome = self.fly(&ground, contender, clock);
         emit(self.progress(contender));
         if !matches!(outcome, Ok(true)) {
-            // One that cannot go on is counted; the others fly all the same.
-            let mut tally = ContenderTally::new(contender, self.order.smooth);
             let flown = self.flying.take();
-            match outcome {
-                Ok(_) => {
-                    if let Some((passage, _)) = flown {
-                        let tallied = tally.add(&ground.flight, &passage.into_run(), clock);
-                        tallied.map_err(|cause| cause.to_string())?;
-                    }
-                }
-                Err(cause) => {
-                    let label = contender.estimator.label();
-                    emit(JobEvent::Remark(format!("{label}: {cause}")));
-                    tally.fail();
-                }
-            }
+            let run = outcome.map(|_| flown.map(|(passage, _)| passage.into_run()));
+            let tally = self.tally(contender, &ground.flight, run, clock, emit);
             self.tallies.push(tally);
         }
         self.ground = Some(ground);
@@ -183,7 +199,7 @@ mod tests {
     use super::super::{FlightSource, Job, MapSource, SimulationOptions};
     use super::*;
     use pilotage_core::navigator::EstimatorChoice;
-    use pilotage_core::simulate::Scenario;
+    use pilotage_core::simulate::{Overrides, Scenario};
 
     #[test]
     fn every_estimator_flies_the_same_flight_and_is_judged_by_the_same_truth() {
@@ -275,5 +291,42 @@ mod tests {
         assert!(refused.iter().any(named), "{refused:?}");
         let tallies: Vec<ContenderTally> = figures(order(1, f64::NAN));
         assert_eq!(EstimatorComparison::of(&tallies).rows[0].failed, 1);
+    }
+
+    #[test]
+    fn one_that_cannot_be_smoothed_is_counted_and_named() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let flight = FlightSource::Simulated(SimulationOptions {
+            scenario: scenario.name.to_owned(),
+            seed: 1,
+            other_day: false,
+            wind: None,
+            height: None,
+        });
+        let map = MapSource::world("countryside");
+        let order = ContestOrder::of_all(flight, map, scenario.mission());
+        let contender = order.contenders[0];
+        let mut run = Run {
+            name: "flown".to_owned(),
+            settings: scenario.mission().navigator,
+            landmarks: Vec::new(),
+            state_names: Vec::new(),
+            steps: Vec::new(),
+        };
+        // No sigma points can be drawn with an alpha that is no number.
+        run.settings.alpha = f64::NAN;
+        let contest = Contest::new(order, |_| Err("nobody asks".to_owned()));
+        let flown = scenario.plan(&Overrides::default()).simulate(1).unwrap();
+        let mut told = Vec::new();
+        let mut emit = |event| told.push(event);
+        let tally = contest.tally(contender, &flown, Ok(Some(run)), &|| 0.0, &mut emit);
+        let named = |event: &JobEvent| matches!(event, JobEvent::Remark(why) if why.contains("cannot be smoothed"));
+        assert!(matches!(&told[..], [event] if named(event)), "{told:?}");
+        let counted = tally.rows();
+        let counted: Vec<(usize, usize)> = counted
+            .iter()
+            .map(|row| (row.flights, row.failed))
+            .collect();
+        assert_eq!(counted, [(1, 0), (0, 1)]);
     }
 }

@@ -95,6 +95,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         summary.untested = Some(untested::untested(arguments, &ground)?);
     }
     no_fly::tell_legs(&ground);
+    let mut flown = None;
     if arguments.predict {
         let (plan, prediction) = predict(&ground, arguments.seed, arguments.limit, &|line| {
             println!("{line}");
@@ -104,7 +105,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         summary.samples = prediction.samples.iter().map(sample).collect();
         if let Some(seeds) = &arguments.fly {
             let seeds = crate::scenario::seed_range(seeds)?;
-            let found = verify::verify(&ground, &plan, &prediction, seeds, arguments.as_stated)?;
+            let (found, of_seeds) =
+                verify::verify(&ground, &plan, &prediction, seeds, arguments.as_stated)?;
+            flown = Some(of_seeds);
             println!(
                 "{} flights, {} frames: {:.1} % inside the 95 % ellipse, {:.1} ± {:.1} % inside the corridor; \
                  error {:.2} m RMS where {:.2} m was predicted and the filter believed {:.2} m (NEES {:.2}), \
@@ -136,7 +139,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(path) = &arguments.summary {
         write_whole(path, serde_json::to_string_pretty(&summary)?)?;
     }
-    Ok(())
+    flown.map_or(Ok(()), |flown| flown.all_done())
 }
 
 fn sample(s: &pilotage_core::plan::PredictionSample) -> SummarySample {

@@ -4,10 +4,11 @@ use pilotage_core::plan::{RoutePrediction, Verification};
 use pilotage_jobs::{JobEvent, PredictionOrder, RehearseOrder, Rehearsed};
 
 use super::planned_flight::PlannedFlight;
+use crate::outcome::SeedFlights;
 use crate::workers;
 
 /// Flies seeds `first..end` beside `prediction`, with pictures or as stated; `hear` is told each flight in the order of
-/// the seeds.
+/// the seeds. Those that cannot be flown are told and counted.
 pub fn fly(
     ground: &PlannedFlight,
     plan: &PredictionOrder,
@@ -15,7 +16,7 @@ pub fn fly(
     (first, end): (u64, u64),
     as_stated: bool,
     hear: &mut dyn FnMut(u64, Rehearsed),
-) -> Result<(), String> {
+) -> Result<SeedFlights, String> {
     let order = |seed| RehearseOrder {
         plan: plan.clone(),
         prediction: prediction.clone(),
@@ -24,32 +25,34 @@ pub fn fly(
         seed,
     };
     let orders = (first..end).map(order).collect();
+    let mut seeds = SeedFlights::of((first, end));
     workers::run(orders, &ground.lent(), &mut |number, event| {
-        let seed = first + number as u64;
         match event {
-            JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
-            JobEvent::Figures(_) => hear(seed, event.read_figures()?),
+            JobEvent::Failed(why) => seeds.fail(number, &why),
+            JobEvent::Figures(_) => hear(seeds.seed(number), event.read_figures()?),
             _ => {}
         }
         Ok(())
-    })
+    })?;
+    seeds.any()?;
+    Ok(seeds)
 }
 
-/// Flies seeds and compares their errors with `prediction`.
+/// Flies seeds and compares their errors with `prediction`; with the count of those that could not be flown.
 pub fn verify(
     ground: &PlannedFlight,
     plan: &PredictionOrder,
     prediction: &RoutePrediction,
     seeds: (u64, u64),
     as_stated: bool,
-) -> Result<Verification, String> {
+) -> Result<(Verification, SeedFlights), String> {
     let mut all = Vec::new();
     let mut hear = |seed, flown: Rehearsed| {
         tell(seed, &flown);
         all.push(flown.frames);
     };
-    fly(ground, plan, prediction, seeds, as_stated, &mut hear)?;
-    Ok(Verification::of(&all))
+    let flown = fly(ground, plan, prediction, seeds, as_stated, &mut hear)?;
+    Ok((Verification::of(&all), flown))
 }
 
 fn tell(seed: u64, flown: &Rehearsed) {

@@ -7,7 +7,8 @@ use serde::Serialize;
 use crate::CommandResult;
 use crate::files::write_whole;
 use crate::filter_options;
-use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
+use crate::outcome::SeedFlights;
+use crate::scenario::{DayChoice, flown as source, scenario, scenery, seed_range};
 use crate::workers;
 
 /// Arguments of `pilotage roads fly`.
@@ -52,7 +53,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     }
     filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let order = |seed| RoadFlightOrder {
-        flight: flown(&scenario, seed, arguments.day),
+        flight: source(&scenario, seed, arguments.day),
         map: MapSource::world("countryside"),
         mission: mission.clone(),
     };
@@ -60,16 +61,17 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let lent = scenery(&scenario, arguments.day);
     let mut nis = Consistency::default();
     let mut table = Vec::new();
+    let mut flown = SeedFlights::of((first, end));
     println!(
         "seed  across  later  along | reckoned across  along | sigma along/reckoned | looks refused | NIS/dof  NEES across"
     );
     workers::run(orders, &lent, &mut |number, event| {
         match event {
-            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Failed(why) => flown.fail(number, &why),
             JobEvent::Figures(_) => {
                 let (figures, looks): (RoadFlight, Consistency) = event.read_figures()?;
                 nis.merge(&looks);
-                let seed = first + number as u64;
+                let seed = flown.seed(number);
                 let row = SeedFigures { seed, figures };
                 print(&row);
                 table.push(row);
@@ -78,11 +80,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
         Ok(())
     })?;
+    flown.any()?;
     tell(&table, &nis);
     if let Some(path) = &arguments.out {
         write_whole(path, serde_json::to_string_pretty(&table)?)?;
     }
-    Ok(())
+    flown.all_done()
 }
 
 fn print(SeedFigures { seed, figures: row }: &SeedFigures) {

@@ -36,7 +36,7 @@ mod see;
 mod sighting;
 mod smooth;
 #[cfg(test)]
-mod step_for_tests;
+pub(crate) mod step_for_tests;
 mod summary;
 mod ticks;
 mod tilt;

@@ -13,9 +13,9 @@ pub struct ComparisonRow {
     pub contender: Contender,
     /// Whether these are the estimates after the flight, of the smoother, in place of those in flight.
     pub smoothed: bool,
-    /// Flights navigated to their end.
+    /// Flights navigated to their end, and smoothed if these are the estimates after the flight.
     pub flights: usize,
-    /// Flights that could not be navigated to their end.
+    /// Flights that could not.
     pub failed: usize,
     /// Distance of the position from the true one over all steps whose truth is known, metres.
     pub position_error_m: Option<ErrorFigures>,

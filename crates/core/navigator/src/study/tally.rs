@@ -16,6 +16,8 @@ pub struct ContenderTally {
     failed: usize,
     in_flight: PositionErrors,
     smoothed: Option<PositionErrors>,
+    /// Flights navigated to their end that could not be smoothed.
+    unsmoothed: usize,
     nis: Consistency,
     frames_with_update: usize,
     accepted: usize,
@@ -59,6 +61,7 @@ impl ContenderTally {
             failed: 0,
             in_flight: PositionErrors::default(),
             smoothed: with_smoothed.then(PositionErrors::default),
+            unsmoothed: 0,
             nis: Consistency::default(),
             frames_with_update: 0,
             accepted: 0,
@@ -81,6 +84,9 @@ impl ContenderTally {
 
     /// Adds the run of a flight, held against its truth where there is one. `stopwatch` gives
     /// milliseconds of any clock that never goes back.
+    ///
+    /// # Errors
+    /// Where the run cannot be smoothed. It is counted all the same: as flown in flight, as failed smoothed.
     pub fn add(
         &mut self,
         flight: &Flight,
@@ -110,7 +116,7 @@ impl ContenderTally {
         }
         if let Some(errors) = &mut self.smoothed {
             let begun = stopwatch();
-            let smoothed = smooth(run)?;
+            let smoothed = smooth(run).inspect_err(|_| self.unsmoothed += 1)?;
             self.smoothing_milliseconds += stopwatch() - begun;
             for (step, estimate) in run.steps.iter().zip(&smoothed) {
                 if let Some(truth) = truth(step.time) {
@@ -129,6 +135,7 @@ impl ContenderTally {
         if let Some((ours, theirs)) = self.smoothed.as_mut().zip(other.smoothed) {
             ours.merge(theirs);
         }
+        self.unsmoothed += other.unsmoothed;
         self.nis.merge(&other.nis);
         self.frames_with_update += other.frames_with_update;
         self.accepted += other.accepted;
@@ -140,26 +147,92 @@ impl ContenderTally {
 
     /// The lines of the table: in flight, and smoothed if that was asked for.
     pub fn rows(&self) -> Vec<ComparisonRow> {
-        let row = |errors: &PositionErrors, smoothed: bool| ComparisonRow {
-            contender: self.contender,
-            smoothed,
-            flights: self.flights,
-            failed: self.failed,
-            position_error_m: ErrorFigures::of(errors.distances.clone()),
-            nees: errors.nees.summary_of_runs(self.flights),
-            nis: (!smoothed).then(|| self.nis.summary()).flatten(),
-            frames_with_update: self.frames_with_update,
-            updates_accepted: self.accepted,
-            updates_refused: self.refused,
-            ms_per_step: (if smoothed {
-                self.smoothing_milliseconds
+        let row = |errors: &PositionErrors, smoothed: bool| {
+            let (unsmoothed, milliseconds) = if smoothed {
+                (self.unsmoothed, self.smoothing_milliseconds)
             } else {
-                self.milliseconds
-            }) / self.steps.max(1) as f64,
+                (0, self.milliseconds)
+            };
+            let flights = self.flights - unsmoothed;
+            ComparisonRow {
+                contender: self.contender,
+                smoothed,
+                flights,
+                failed: self.failed + unsmoothed,
+                position_error_m: ErrorFigures::of(errors.distances.clone()),
+                nees: errors.nees.summary_of_runs(flights),
+                nis: (!smoothed).then(|| self.nis.summary()).flatten(),
+                frames_with_update: self.frames_with_update,
+                updates_accepted: self.accepted,
+                updates_refused: self.refused,
+                ms_per_step: milliseconds / self.steps.max(1) as f64,
+            }
         };
         let smoothed = self.smoothed.iter().map(|errors| row(errors, true));
         std::iter::once(row(&self.in_flight, false))
             .chain(smoothed)
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings, VehicleChoice};
+    use pilotage_raster::camera::CameraModel;
+
+    use super::*;
+    use crate::navigator::step_for_tests::step_at;
+    use pilotage_base::frames::GroundPoint;
+    use pilotage_flight::StartFix;
+
+    #[test]
+    fn a_run_that_cannot_be_smoothed_is_counted_as_that_and_the_others_are_judged() {
+        let flight = Flight {
+            name: "test".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: Vec::new(),
+            frames: Vec::new(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 1.0,
+            },
+            truth: None,
+        };
+        let contender = Contender {
+            estimator: EstimatorChoice::Unscented,
+            vehicle: VehicleChoice::RandomWalk,
+        };
+        // Its steps have two states; an airplane in wind has four.
+        let run = |vehicle| Run {
+            name: "test".to_owned(),
+            settings: NavigatorSettings {
+                vehicle,
+                ..NavigatorSettings::default()
+            },
+            landmarks: Vec::new(),
+            state_names: Vec::new(),
+            steps: vec![step_at(0.5), step_at(1.0)],
+        };
+        let mut tally = ContenderTally::new(contender, true);
+        tally
+            .add(&flight, &run(VehicleChoice::RandomWalk), &|| 0.0)
+            .expect("it is smoothed");
+        let refused = tally.add(&flight, &run(VehicleChoice::AirplaneWind), &|| 0.0);
+        assert!(
+            matches!(refused, Err(FilterError::Size { .. })),
+            "{refused:?}"
+        );
+        let mut both = ContenderTally::new(contender, true);
+        both.fail();
+        both.merge(tally);
+        let counted: Vec<(bool, usize, usize)> = both
+            .rows()
+            .iter()
+            .map(|row| (row.smoothed, row.flights, row.failed))
+            .collect();
+        assert_eq!(counted, [(false, 2, 1), (true, 1, 2)]);
     }
 }
