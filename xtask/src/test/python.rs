@@ -20,7 +20,7 @@ const EXTENSION: &str = if cfg!(windows) {
     "_native.abi3.so"
 };
 
-/// How the package's own tests went.
+/// Outcome of the own tests of the package.
 #[derive(Debug)]
 pub struct PackageTests {
     said: String,
