@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use pilotage_core::exchange::Format;
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Run, Summary, summarize, unused_pictures};
+use pilotage_core::navigator::{Run, Summary, passed_over, summarize, unused_pictures};
 use pilotage_core::simulate::SimulationChoice;
 use pilotage_jobs::{FlightSource, JobEvent, SummaryOrder};
 use serde::Serialize;
@@ -235,6 +235,9 @@ fn report(
     }
     if let Some(why) = unused_pictures(run) {
         eprintln!("{why}");
+    }
+    for found in run.findings().iter().chain(&passed_over(flight, run)) {
+        eprintln!("note: {}. {}", found.title, found.text);
     }
     match arguments.outage {
         Some(length) => crate::outage::study(flight, Some(run), length)?,

@@ -14,7 +14,8 @@ impl Documents {
             .as_ref()
             .filter(|_| self.run.is_complete && !is_known)
         {
-            self.run.noticed.look_over(run, self.run.generation);
+            let flight = self.flight.measured.as_ref();
+            self.run.noticed.look_over(run, flight, self.run.generation);
         }
     }
 

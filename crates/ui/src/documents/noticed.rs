@@ -1,7 +1,8 @@
 //! Findings in a run, and those of the features about its flight.
 
+use pilotage_core::flight::Flight;
 use pilotage_core::flight::overview::Finding;
-use pilotage_core::navigator::Run;
+use pilotage_core::navigator::{Run, passed_over};
 
 /// Findings in a run, and those of the features about its flight.
 #[derive(Clone, Debug, Default)]
@@ -18,10 +19,12 @@ impl Noticed {
         self.run == Some(generation)
     }
 
-    /// Looks over a run.
-    pub fn look_over(&mut self, run: &Run, generation: u64) {
+    /// Looks over a run, and what its aids did not look at of the flight.
+    pub fn look_over(&mut self, run: &Run, flight: Option<&Flight>, generation: u64) {
         self.run = Some(generation);
         self.findings = run.findings();
+        let unseen = flight.map(|flight| passed_over(flight, run));
+        self.findings.extend(unseen.into_iter().flatten());
     }
 
     /// Takes what the features found; whether that is something else than before.

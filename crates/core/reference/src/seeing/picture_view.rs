@@ -12,7 +12,9 @@ use crate::association::{
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Picture;
-use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground, ground_picture};
+use pilotage_vision::ground_class::{
+    CLASS_GSD, CoverNetwork, classify_ground, ground_picture, ground_window,
+};
 
 /// Landmarks that one picture shows by an assumed pose over level ground.
 pub struct PictureView<'a> {
@@ -26,7 +28,7 @@ pub struct PictureView<'a> {
 
 impl<'a> PictureView<'a> {
     /// View of `picture`, which `camera` took, by the assumed `pose` over ground `ground_down` metres below the world's
-    /// origin; `None` where it looks past the horizon.
+    /// origin; `None` where it [is too wide](Self::is_too_wide).
     pub fn of(
         camera: &'a CameraModel,
         pose: &'a Pose,
@@ -41,6 +43,11 @@ impl<'a> PictureView<'a> {
             pose,
             ground_down,
         })
+    }
+
+    /// Whether such a picture shows no ground, or more than is looked at.
+    pub fn is_too_wide(camera: &CameraModel, pose: &Pose, ground_down: f64) -> bool {
+        ground_window(camera, pose, ground_down, CLASS_GSD).is_none()
     }
 
     /// Ground below the assumed position.

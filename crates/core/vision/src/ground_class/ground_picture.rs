@@ -13,8 +13,22 @@ const FARTHEST_HEIGHTS: f64 = 1.5;
 /// Pixels of ground at most: at 0.75 m each 13 km², for which what is found out of them takes some hundred megabytes.
 const MOST_PIXELS: usize = 24_000_000;
 
+/// Ground that a camera shows by the assumed `pose` over level ground, as a picture of `gsd` metres per pixel. `None` where
+/// it looks past the horizon, or at more than 24 million pixels of ground.
+pub fn ground_window(
+    camera: &CameraModel,
+    pose: &Pose,
+    ground_down: f64,
+    gsd: f64,
+) -> Option<Window> {
+    let height = ground_down - pose.position_in_world.z;
+    let outline = camera.footprint_within(pose, ground_down, FARTHEST_HEIGHTS * height);
+    let window = Window::covering(&GroundRect::around(outline)?, gsd);
+    (window.width.saturating_mul(window.height) <= MOST_PIXELS).then_some(window)
+}
+
 /// The ground that `picture` shows, `gsd` metres per pixel, by the assumed `pose` over level ground; clear where the
-/// camera saw nothing. `None` where it looks past the horizon, or at more than 24 million pixels of ground.
+/// camera saw nothing. `None` where [`ground_window`] has none.
 pub fn ground_picture(
     camera: &CameraModel,
     pose: &Pose,
@@ -23,11 +37,7 @@ pub fn ground_picture(
     gsd: f64,
 ) -> Option<(Window, Raster<Rgba>)> {
     let height = ground_down - pose.position_in_world.z;
-    let outline = camera.footprint_within(pose, ground_down, FARTHEST_HEIGHTS * height);
-    let window = Window::covering(&GroundRect::around(outline)?, gsd);
-    if window.width.saturating_mul(window.height) > MOST_PIXELS {
-        return None;
-    }
+    let window = ground_window(camera, pose, ground_down, gsd)?;
     let rotation = camera.camera_from_world(pose);
     let in_camera = |x: f64, y: f64| {
         let ground = window.ground_at(x, y);

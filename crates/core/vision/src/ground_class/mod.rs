@@ -15,7 +15,7 @@ mod tests;
 pub use cover::GroundCover;
 pub use cover_map::{CoverMap, classify_ground};
 pub use features::{CoverFeatures, FEATURES};
-pub use ground_picture::ground_picture;
+pub use ground_picture::{ground_picture, ground_window};
 pub use network::{CoverNetwork, CoverNetworkError, HIDDEN};
 
 /// Ground in a pixel of pictures that are to be classified, metres.

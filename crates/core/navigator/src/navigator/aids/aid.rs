@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Point2, Point3};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::SensorNoise;
+use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Picture;
 
 use super::super::SightingReport;
@@ -15,6 +16,13 @@ use super::error::AidError;
 
 /// Makes an aid, with a value for each of its numbers, from what is known of the ground, if anything is.
 pub type BeginAid = fn(&[f64], Option<&KnownGround>) -> Result<Box<dyn Aid>, AidError>;
+
+/// Reason why an aid does not look at the pictures that a camera takes from a pose over level ground, metres below the
+/// world's origin, as the end of a sentence; `None` where it does.
+pub type PassesOver = fn(&CameraModel, &Pose, f64) -> Option<&'static str>;
+
+/// That of an aid that looks at all of them, or at none.
+pub const NONE_PASSED_OVER: PassesOver = |_, _, _| None;
 
 /// Description of an aid.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +40,8 @@ pub struct AidInfo {
     pub components: &'static [(&'static str, &'static str)],
     /// Whether it tells the place of the aircraft, so that who flies by it flies by more than dead reckoning.
     pub tells_place: bool,
+    /// Pictures that it does not look at.
+    pub passes_over: PassesOver,
     /// Numbers that people may set.
     pub numbers: &'static [AidNumber],
 }

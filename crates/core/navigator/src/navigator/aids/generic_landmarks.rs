@@ -28,6 +28,10 @@ pub const INFO: AidInfo = AidInfo {
     channels: &[],
     components: &[("north", "m"), ("east", "m")],
     tells_place: true,
+    passes_over: |camera, pose, ground_down| {
+        PictureView::is_too_wide(camera, pose, ground_down)
+            .then_some("they show more than 13 km² of ground, or none")
+    },
     numbers: &[
         AidNumber {
             key: "tilt",

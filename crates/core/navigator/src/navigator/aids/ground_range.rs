@@ -3,7 +3,7 @@
 use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::aid::{AidInfo, AidNumber, BeginAid};
+use super::aid::{AidInfo, AidNumber, BeginAid, NONE_PASSED_OVER};
 use super::direct::DirectAid;
 use super::reading::APART;
 use pilotage_flight::ChannelName;
@@ -17,6 +17,7 @@ pub const INFO: AidInfo = AidInfo {
     channels: &[ChannelName::GroundRange],
     components: &[("range", "m")],
     tells_place: false,
+    passes_over: NONE_PASSED_OVER,
     numbers: &[
         AidNumber {
             key: "noise",

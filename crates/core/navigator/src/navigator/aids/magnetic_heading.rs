@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, dvector};
 
 use super::super::engine::MeasurementModel;
-use super::aid::{AidInfo, AidNumber, BeginAid};
+use super::aid::{AidInfo, AidNumber, BeginAid, NONE_PASSED_OVER};
 use super::direct::DirectAid;
 use pilotage_base::frames::wrap_pi;
 use pilotage_flight::ChannelName;
@@ -18,6 +18,7 @@ pub const INFO: AidInfo = AidInfo {
     channels: &[ChannelName::MagneticHeading],
     components: &[("heading", "rad")],
     tells_place: false,
+    passes_over: NONE_PASSED_OVER,
     numbers: &[
         AidNumber {
             key: "noise",

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
 use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
+use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid, NONE_PASSED_OVER};
 use super::error::AidError;
 use super::reading::Spacing;
 use pilotage_base::frames::GroundPoint;
@@ -40,6 +40,7 @@ pub const INFO: AidInfo = AidInfo {
     channels: &[],
     components: &[("north", "m"), ("east", "m")],
     tells_place: true,
+    passes_over: NONE_PASSED_OVER,
     numbers: &[
         AidNumber {
             key: MAP_EDGES.number,

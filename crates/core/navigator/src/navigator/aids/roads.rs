@@ -45,6 +45,11 @@ pub const INFO: AidInfo = AidInfo {
     channels: &[],
     components: &[("best known", "m"), ("second", "m"), ("third", "m")],
     tells_place: true,
+    passes_over: |camera, pose, ground_down| {
+        let height = (ground_down - pose.position_in_world.z).max(1.0);
+        let is_looked_at = farthest(height, camera.focal).is_some();
+        (!is_looked_at).then_some("a pixel of theirs shows more than 1.2 m of ground")
+    },
     numbers: &[
         AidNumber {
             key: ROAD_MAP.number,
