@@ -13,6 +13,8 @@ const FEWEST: usize = 5;
 /// Share of the stand-stills that are usual, and from how many on there are unusual ones among them.
 const USUAL: f64 = 0.99;
 const MANY: usize = 100;
+/// Share of the moments at which a stand-still is usual: those of straight legs are few among those of turns, but last.
+const OF_MOMENTS: f64 = 0.9;
 
 /// A stretch with one and the same number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +28,8 @@ pub struct StuckStretch {
 }
 
 /// Stretches of `series` in the air with one and the same number: from when it could be noticed to the last
-/// sample that shows it, seconds.
+/// sample that shows it, seconds. The stretches in the air follow each other and do not overlap; one of `series` does not go on
+/// in the next.
 ///
 /// A sensor read out more often than it measures repeats itself as well, and a coarse one stands still in calm
 /// air: what is usual is learnt from the rest of the series.
@@ -51,28 +54,34 @@ pub fn stuck(series: &Series, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 /// The same stretches with their beginnings.
 pub fn stuck_stretches(series: &Series, airborne: &[(f64, f64)]) -> Vec<StuckStretch> {
-    let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
     let mut runs: Vec<(f64, f64, usize)> = Vec::new();
     let mut last = None;
-    for (time, value) in series.iter().filter(|(time, _)| is_up(*time)) {
+    for (time, value) in series.iter() {
+        let flight = airborne.partition_point(|(_, landed)| *landed < time);
+        if airborne.get(flight).is_none_or(|(begun, _)| *begun > time) {
+            continue;
+        }
         match runs.last_mut() {
-            Some(run) if last == Some(value) => (run.1, run.2) = (time, run.2 + 1),
+            Some(run) if last == Some((flight, value)) => (run.1, run.2) = (time, run.2 + 1),
             _ => runs.push((time, time, 1)),
         }
-        last = Some(value);
+        last = Some((flight, value));
     }
     if runs.len() <= FEWEST {
         return Vec::new();
     }
-    let mut lengths: Vec<f64> = runs.iter().map(|(from, to, _)| to - from).collect();
-    lengths.sort_by(f64::total_cmp);
+    let mut lengths: Vec<(f64, usize)> = runs.iter().map(|run| (run.1 - run.0, run.2)).collect();
+    lengths.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let sorted: Vec<f64> = lengths.iter().map(|(length, _)| *length).collect();
     // Of few others the longest is usual, too.
     let share = if lengths.len() > MANY { USUAL } else { 1.0 };
     let long = runs
         .iter()
         .filter(|(from, to, count)| to - from >= STUCK && *count >= FEWEST);
-    long.filter_map(|(from, to, _)| {
-        let longest = (UNUSUAL * quantile_of_others(&lengths, to - from, share)).max(STUCK);
+    long.filter_map(|(from, to, count)| {
+        let usual = quantile_of_others(&sorted, to - from, share);
+        let usual = usual.max(usual_at_a_moment(&lengths, (to - from, *count)));
+        let longest = (UNUSUAL * usual).max(STUCK);
         (to - from >= longest).then_some(StuckStretch {
             begin: *from,
             noticed: from + longest,
@@ -80,6 +89,26 @@ pub fn stuck_stretches(series: &Series, airborne: &[(f64, f64)]) -> Vec<StuckStr
         })
     })
     .collect()
+}
+
+/// Length of the stand-still that a series is in, at most, at a usual moment outside one: by the samples of each. `sorted`
+/// are the lengths of all, seconds, and their samples, the shortest first.
+fn usual_at_a_moment(sorted: &[(f64, usize)], one: (f64, usize)) -> f64 {
+    let all: usize = sorted.iter().map(|(_, count)| count).sum();
+    let wanted = OF_MOMENTS * (all - one.1) as f64;
+    let mut one = Some(one);
+    let mut counted = 0;
+    for run in sorted {
+        if one == Some(*run) {
+            one = None;
+            continue;
+        }
+        counted += run.1;
+        if counted as f64 >= wanted {
+            return run.0;
+        }
+    }
+    0.0
 }
 
 /// Pauses of `series` in the air that are longer than it is held, seconds.
@@ -194,6 +223,30 @@ mod tests {
         assert_eq!(every_second(280, &legs), []);
         // Nothing is known of one that never moved.
         assert_eq!(every_second(100, &|_| 11.0), []);
+    }
+
+    #[test]
+    fn legs_are_usual_though_few_among_the_readings_of_turns() {
+        // A velocity in coarse steps: it stands on legs of half a minute, and wags in turns of twenty seconds.
+        let legs = |t: f64| if t % 50.0 < 30.0 { 5.0 } else { t.sin() };
+        let mut series = Series::new();
+        for i in 0..1500 {
+            let time = 0.1 * f64::from(i);
+            series.push(time, legs(time));
+        }
+        assert_eq!(stuck(&series, &[(0.0, 150.0)]), []);
+    }
+
+    #[test]
+    fn a_number_that_is_the_same_after_a_landing_did_not_stand_still_in_the_air() {
+        let rests = |t: f64| {
+            if (18.0..42.0).contains(&t) {
+                17.0
+            } else {
+                18.0 + t.sin()
+            }
+        };
+        assert_eq!(stuck(&series(rests), &[(0.0, 20.0), (40.0, 60.0)]), []);
     }
 
     #[test]

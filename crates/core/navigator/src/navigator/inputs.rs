@@ -26,14 +26,13 @@ const NEEDED: [ChannelName; 7] = [
     ChannelName::VelocityNorth,
     ChannelName::VelocityEast,
 ];
-/// Those of them that never stand still in the air …
-const NEVER_STILL: [ChannelName; 6] = [
-    ChannelName::Airspeed,
-    ChannelName::Heading,
-    ChannelName::Roll,
-    ChannelName::Pitch,
-    ChannelName::VelocityNorth,
-    ChannelName::VelocityEast,
+/// Those of them that never stand still in the air, by instruments: what tells a vector sticks as a whole. One of its parts may
+/// stand still: a gimbal holds its pitch, and due north there is no velocity east …
+const NEVER_STILL: [&[ChannelName]; 4] = [
+    &[ChannelName::Airspeed],
+    &[ChannelName::Heading],
+    &[ChannelName::Roll, ChannelName::Pitch],
+    &[ChannelName::VelocityNorth, ChannelName::VelocityEast],
 ];
 /// … and those whose loss leaves an airspeed to be assumed.
 const OF_THE_AIR: [ChannelName; 2] = [ChannelName::Airspeed, ChannelName::Heading];
@@ -193,8 +192,8 @@ impl Inputs {
                     stretches,
                 });
             };
-            if NEVER_STILL.contains(&name) {
-                say(SensorFault::Stuck, stretches_stuck(flight, channel, span));
+            if let Some(parts) = NEVER_STILL.iter().find(|parts| parts.contains(&name)) {
+                say(SensorFault::Stuck, stuck_together(flight, parts, span));
             }
             say(SensorFault::Silent, silences(channel, span));
         }
@@ -296,21 +295,49 @@ fn stretch(doubted: &[Doubted], channel: ChannelName, time: f64) -> Option<Doubt
     of_channel.find_map(|doubted| doubted.stretch(time))
 }
 
+/// Stretches in which all of these channels are stuck.
+fn stuck_together(flight: &Flight, parts: &[ChannelName], span: (f64, f64)) -> Vec<DoubtedStretch> {
+    let mut each = parts.iter().map(|name| {
+        let channel = flight.channel(*name);
+        channel.map_or_else(Vec::new, |channel| stretches_stuck(flight, channel, span))
+    });
+    let first = each.next().unwrap_or_default();
+    each.fold(first, |known, other| {
+        let both = |one: &DoubtedStretch| {
+            let one = *one;
+            let met = other.iter().map(move |two| DoubtedStretch {
+                right: one.right.max(two.right),
+                since: one.since.max(two.since),
+                until: one.until.min(two.until),
+            });
+            met.filter(|both| both.since <= both.until)
+        };
+        known.iter().flat_map(both).collect()
+    })
+}
+
 /// Stretches in which a channel shows one and the same number while the vehicle moves.
 fn stretches_stuck(flight: &Flight, channel: &Channel, span: (f64, f64)) -> Vec<DoubtedStretch> {
     let is_airspeed = channel.name == ChannelName::Airspeed;
     let mut series = Series::new();
+    let mut moving: Vec<(f64, f64)> = Vec::new();
+    let mut moved = false;
     for (time, value) in channel.times.iter().zip(&channel.values) {
-        let counts = if is_airspeed {
+        series.push(*time, *value);
+        let moves = if is_airspeed {
             *value > STANDING
         } else {
             moves(flight, *time)
         };
-        if counts {
-            series.push(*time, *value);
+        let counts = moves && (span.0..=span.1).contains(time);
+        match moving.last_mut().filter(|_| moved) {
+            Some(stretch) if counts => stretch.1 = *time,
+            _ if counts => moving.push((*time, *time)),
+            _ => {}
         }
+        moved = counts;
     }
-    let stuck = stuck_stretches(&series, &[span]).into_iter();
+    let stuck = stuck_stretches(&series, &moving).into_iter();
     stuck
         .map(|stretch| DoubtedStretch {
             right: stretch.begin,
@@ -528,6 +555,18 @@ mod tests {
         assert_eq!(inputs.cruise(), None);
         // What stands on the ground, or hovers still, is not stuck.
         assert_eq!(Inputs::of(&with_stuck(0.5)).doubts(50.0), []);
+    }
+
+    #[test]
+    fn a_gimbal_that_holds_its_pitch_and_a_leg_due_north_are_no_stuck_instruments() {
+        let mut flight = with_stuck(12.0);
+        for channel in &mut flight.channels {
+            if [ChannelName::Roll, ChannelName::VelocityNorth].contains(&channel.name) {
+                let wags = channel.times.iter().map(|t| 12.0 + 0.05 * (3.0 * t).sin());
+                channel.values = wags.collect();
+            }
+        }
+        assert_eq!(Inputs::of(&flight).doubts(50.0), []);
     }
 
     #[test]
