@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use nalgebra::Point3;
-use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, photo_pose};
+use pilotage_core::flight::photo::{PhotoLook, PhotoRow, PhotoSearch, photo_pose};
 use pilotage_core::frames::{Attitude, Geodetic, GroundPoint, GroundRect, LocalFrame, Pose};
 use pilotage_core::imagery::ByteSource as _;
 use pilotage_core::reference::ReferenceTable;
@@ -19,7 +19,7 @@ use crate::files::{DiskFile, write_whole};
 use crate::maps::{MAP_CACHE, open_map};
 use crate::notes::told;
 use crate::numbers::{above_zero, numbers};
-use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
+use crate::photo_search::{KnownOfPhotos, SearchRanges, TablesBesidePhotos, photo_file};
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.9;
@@ -125,15 +125,15 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         world,
         anywhere,
     };
-    let mut files = Vec::new();
+    let (mut files, mut tables) = (Vec::new(), TablesBesidePhotos::default());
     for photo in &arguments.photos {
         // What is not there at all is said before the work begins.
-        files.push(photo_file(photo)?);
+        files.push((photo_file(photo)?, tables.row(photo)));
     }
     let mut placed = 0;
-    for file in &files {
+    for (file, row) in &files {
         let name = file.name();
-        match looking.place(file) {
+        match looking.place(file, row.as_ref()) {
             Ok(()) => placed += 1,
             Err(why) => println!("{name}: no place: {why}"),
         }
@@ -170,9 +170,9 @@ struct PhotoLocating {
 
 impl PhotoLocating {
     /// Places a photo and prints where; why not, in words.
-    fn place(&self, file: &DiskFile) -> Result<(), String> {
+    fn place(&self, file: &DiskFile, row: Option<&PhotoRow>) -> Result<(), String> {
         let (search, world) = (&self.search, Some(&self.anywhere));
-        let photo = PhotoLook::read(file, decode_photo, search, world, &self.bounds)?;
+        let photo = PhotoLook::read(file, decode_photo, row, search, world, &self.bounds)?;
         let prior = &photo.prior;
         println!("{}: {}", file.name(), photo.assumed.join("; "));
         let asks = |what: &str, option: &str| {

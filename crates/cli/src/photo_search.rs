@@ -1,10 +1,12 @@
 //! Options of photos on the command line, and the search that they mean.
 
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
-use pilotage_core::flight::photo::PhotoSearch;
+use pilotage_core::flight::photo::{PhotoRow, PhotoRows, PhotoSearch};
+use pilotage_jobs::places_of_photos;
 
-use crate::files::DiskFile;
+use crate::files::{DirectoryFiles, DiskFile};
 use crate::numbers::{any_number, lat_lon};
 
 /// Facts that are known of photos better than they tell them.
@@ -71,6 +73,27 @@ impl KnownOfPhotos {
             focal: self.focal,
             map_deviation: self.map_accuracy,
         })
+    }
+}
+
+/// Places of photos in tables that lie in their folders, as far as these were looked through.
+#[derive(Default)]
+pub struct TablesBesidePhotos(BTreeMap<PathBuf, PhotoRows>);
+
+impl TablesBesidePhotos {
+    /// The row of a table in a photo's folder that tells of it.
+    pub fn row(&mut self, photo: &Path) -> Option<PhotoRow> {
+        let folder = photo.parent().filter(|it| !it.as_os_str().is_empty());
+        let folder = folder.unwrap_or(Path::new(".")).to_owned();
+        let rows = self.0.entry(folder).or_insert_with_key(|folder| {
+            let files = DirectoryFiles::in_folder(folder);
+            files.map_or_else(
+                |_| PhotoRows::default(),
+                |files| places_of_photos(&files).rows,
+            )
+        });
+        let name = photo.file_name()?.to_string_lossy();
+        rows.0.get(name.as_ref()).copied()
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::filter::probability_words;
-use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, RegisteredPhoto};
+use pilotage_core::flight::photo::{PhotoLook, PhotoRow, PhotoRows, PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_png;
@@ -17,7 +17,7 @@ use crate::CommandResult;
 use crate::files::{DirectoryFiles, write_whole};
 use crate::maps::{MAP_CACHE, open_map};
 use crate::notes::told;
-use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
+use crate::photo_search::{KnownOfPhotos, SearchRanges, TablesBesidePhotos, photo_file};
 use crate::workers::{self, Lent};
 
 /// Key of the photos among the files of workers.
@@ -117,13 +117,20 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         world: map.frame,
         map: told(map),
     };
-    let mut orders = Vec::new();
+    let (mut orders, mut rows) = (Vec::new(), Vec::new());
+    let mut tables = TablesBesidePhotos::default();
     for path in &arguments.photos {
         // What is not there at all is said before the work begins.
         photo_file(path)?;
+        let name = path.to_string_lossy().into_owned();
+        let row = tables.row(path);
+        rows.push(row);
         orders.push(PhotosOrder {
             key: PHOTOS.to_owned(),
-            names: vec![path.to_string_lossy().into_owned()],
+            rows: Some(PhotoRows(
+                row.map(|row| (name.clone(), row)).into_iter().collect(),
+            )),
+            names: vec![name],
             map: Lent::map_of_file(),
             origin: ground.world.map(|world| world.origin),
             ground: ground.map.bounds(),
@@ -144,7 +151,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             JobEvent::PhotoRegistered(report) => {
                 let path = &arguments.photos[number];
                 if let (Ok(laid), Some(target)) = (&report.answer.laid, overlays.get(number)) {
-                    draw(target, path, &search, &ground, laid).map_err(|e| e.to_string())?;
+                    let row = rows[number].as_ref();
+                    draw(target, (path, row), &search, &ground, laid).map_err(|e| e.to_string())?;
                 }
                 let answer = answer(path, *report, &ground);
                 if !arguments.json {
@@ -193,16 +201,17 @@ fn overlays(folder: &Path, photos: &[PathBuf], map: &Path) -> Result<Vec<PathBuf
         .collect())
 }
 
-/// Writes the picture of a photo that was laid, in a chequerboard with the map.
+/// Writes the picture of a photo that was laid, in a chequerboard with the map; a row of a table may tell its place.
 fn draw(
     target: &Path,
-    path: &Path,
+    (path, row): (&Path, Option<&PhotoRow>),
     search: &PhotoSearch,
     ground: &PlacedMap,
     laid: &RegisteredPhoto,
 ) -> CommandResult {
     let (file, bounds) = (photo_file(path)?, ground.map.bounds());
-    let photo = PhotoLook::read(&file, decode_photo, search, ground.world.as_ref(), &bounds)?;
+    let world = ground.world.as_ref();
+    let photo = PhotoLook::read(&file, decode_photo, row, search, world, &bounds)?;
     let look = photo.over(ground.map.as_ref());
     if let Some(picture) = overlay(&look, &laid.at, laid.stored_turn, ACROSS) {
         write_whole(target, encode_png(&picture)?)?;

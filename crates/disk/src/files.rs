@@ -119,6 +119,24 @@ impl DirectoryFiles {
         })
     }
 
+    /// Lists the files in `folder`, without those of folders in it.
+    ///
+    /// # Errors
+    /// A folder that cannot be listed.
+    pub fn in_folder(folder: &Path) -> std::io::Result<Self> {
+        let mut names = BTreeSet::new();
+        for entry in fs::read_dir(folder)? {
+            let entry = entry?;
+            if entry.path().is_file() {
+                names.insert(entry.file_name().to_string_lossy().into_owned());
+            }
+        }
+        Ok(Self {
+            root: folder.to_owned(),
+            names: names.into_iter().collect(),
+        })
+    }
+
     /// Path of the file of that name.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.root.join(name)

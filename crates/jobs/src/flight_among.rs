@@ -14,6 +14,7 @@ use pilotage_core::flight::{FlightFolder, FolderError, read_flight};
 use pilotage_core::imagery::ByteSource;
 
 use super::log_flights::{head, log_among};
+use super::photo_places::flight_of_tabled_photos;
 use super::table_names::tables_among;
 
 /// Files of a kind that may be a flight without saying so in a file beside them.
@@ -56,7 +57,7 @@ pub fn flown_in_words() -> String {
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
 /// where it was: subtitles, sentences, photos, tracks, and films last. `None` beside tables that make a flight as their columns are
-/// guessed where nothing but a film says so too, and beside a log, which is read piece by piece and whose camera frames
+/// guessed where nothing but a film, or photos that tables without times place, says so too, and beside a log, which is read piece by piece and whose camera frames
 /// photos are.
 ///
 /// # Errors
@@ -98,12 +99,16 @@ pub fn flight_among(
         flown.notes.extend(tracks.map(left_out));
         return Ok(Some(with_films_told(flown, files.as_ref())));
     }
-    if has_none(TRACKS.endings) && has_none(&FILMS) {
+    let tabled = flight_of_tabled_photos(files);
+    if tabled.is_none() && has_none(TRACKS.endings) && has_none(&FILMS) {
         return Ok(None);
     }
     let tables = tables_among(files.as_ref());
     if tables.iter().any(|table| table.is_proposed) {
         return Ok(None);
+    }
+    if let Some(flown) = tabled {
+        return Ok(Some(with_films_told(flown, files.as_ref())));
     }
     match flight_of_track(files).map_err(told) {
         Ok(Some(flown)) => return Ok(Some(with_films_told(flown, files.as_ref()))),

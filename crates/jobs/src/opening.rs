@@ -22,6 +22,7 @@ use super::flight_among::flown_in_words;
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels, owns_geojson, read_exchange};
 use super::log_flights::{flight_of_log, foreign_kind, head, log_among};
+use super::photo_places::places_of_photos;
 use super::table_names::tables_among;
 use super::tables::flight_folder;
 use super::worker_state::{MAP_MEMORY, describe};
@@ -102,11 +103,13 @@ pub fn look_through(
         }));
     }
     if !photos.is_empty() && log.is_none() {
-        let unread = pool
-            .names()
-            .into_iter()
-            .filter(|name| is_picture_table(name));
-        remarks.extend(unread.map(|name| {
+        let mut unread = pool.names();
+        unread.retain(|name| is_picture_table(name));
+        if !unread.is_empty() {
+            let heeded = places_of_photos(pool).tables;
+            unread.retain(|name| !heeded.contains(name));
+        }
+        remarks.extend(unread.into_iter().map(|name| {
             format!("{name} was left out: only beside a log does it say when pictures were taken.")
         }));
     }
@@ -497,9 +500,10 @@ mod tests {
             ("january.pgw", place),
             ("march.PNG", &png),
             ("march.png.wld", place),
+            // Of other photos.
             (
                 "frames.csv",
-                b"file,lat,lon,heading\na.png,47.0,8.0,3\nb.png,47.001,8.0,4\n",
+                b"file,lat,lon,heading\nc.png,47.0,8.0,3\nd.png,47.001,8.0,4\n",
             ),
         ]);
         let opened = opened.unwrap();
@@ -508,6 +512,34 @@ mod tests {
         let told = opened.remarks.join(" ");
         assert!(told.contains("march.PNG was left out: it lies"), "{told}");
         assert!(told.contains("frames.csv was left out: only"), "{told}");
+    }
+
+    #[test]
+    fn photos_with_a_table_of_their_places_are_their_flight_and_laid_on_the_map_beside_them() {
+        let (place, png) = (b"0.5\n0\n0\n-0.5\n100.25\n199.75\n", picture());
+        let pix4d: &[u8] = b"a.png,47.0001,8.0001,520\nb.png,47.0009,8.0001,521\n";
+        let ours: &[u8] = b"file,lat,lon,heading\na.png,47.0,8.0,3\nb.png,47.001,8.0,4\n";
+        let open_drone_map: &[u8] =
+            b"EPSG:4326\na.png 8.0001 47.0001 520\nb.png 8.0001 47.0009 521\n";
+        for (name, table) in [
+            ("frames.csv", ours),
+            ("pix4d.csv", pix4d),
+            ("geo.txt", open_drone_map),
+        ] {
+            let photos = [("a.png", &png[..]), ("b.png", &png), (name, table)];
+            let map = [("map.png", &png[..]), ("map.pgw", place)];
+            for files in [photos.to_vec(), [&photos[..], &map].concat()] {
+                let opened = look(&files).expect(name);
+                let flight = opened.flight.expect(name);
+                assert_eq!(flight.frames.len(), 2, "{name}");
+                assert_eq!(opened.photos, ["a.png", "b.png"], "{name}");
+                assert_eq!(opened.map.is_some(), files.len() > 3, "{name}");
+                assert!(opened.imports.is_empty() && opened.tables.is_empty());
+                let told = opened.remarks.join(" ");
+                assert!(told.contains("a table beside them tells"), "{told}");
+                assert!(!told.contains("left out"), "{told}");
+            }
+        }
     }
 
     #[test]

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::photo::{PhotoAnswer, PhotoLook, PhotoSearch};
+use pilotage_core::flight::photo::{PhotoAnswer, PhotoLook, PhotoRows, PhotoSearch};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
 use pilotage_core::registration::{Draped, drape};
 
 use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::photo_picture::decode_photo;
+use super::photo_places::places_of_photos;
 use super::running::once;
 use super::{
     Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, WorkerState,
@@ -26,12 +27,15 @@ struct LayPhotos {
     next: usize,
     /// That photo, once it is read.
     read: Option<PhotoLook>,
+    /// Places of photos in tables beside them, once they are known.
+    rows: Option<PhotoRows>,
 }
 
 impl LayPhotos {
     /// Nothing done yet.
-    fn new(order: PhotosOrder) -> Self {
+    fn new(mut order: PhotosOrder) -> Self {
         Self {
+            rows: order.rows.take(),
             order,
             map: None,
             next: 0,
@@ -88,6 +92,7 @@ impl RunningJob for LayPhotos {
         emit(JobEvent::Progress(share, words));
         let files = worker.files(&order.key)?;
         let world = order.origin.map(LocalFrame::new);
+        let rows = (self.rows).get_or_insert_with(|| places_of_photos(files.as_ref()).rows);
         let source = files.source(name);
         let read = source
             .ok_or_else(|| format!("{name}: it is gone"))
@@ -95,6 +100,7 @@ impl RunningJob for LayPhotos {
                 PhotoLook::read(
                     source.as_ref(),
                     decode_photo,
+                    rows.0.get(name),
                     &order.search,
                     world.as_ref(),
                     &order.ground,
@@ -128,7 +134,7 @@ pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String>
         at: None,
         ..order.search
     };
-    let photo = PhotoLook::read(source.as_ref(), decode_photo, &search, None, &nowhere)?;
+    let photo = PhotoLook::read(source.as_ref(), decode_photo, None, &search, None, &nowhere)?;
     let laid = &order.laid;
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);
@@ -181,10 +187,14 @@ impl Order for DrapeOrder {
 
 #[cfg(test)]
 mod tests {
-    use pilotage_core::flight::photo::PhotoSearch;
-    use pilotage_core::frames::{GroundPoint, GroundRect};
+    use pilotage_core::flight::photo::{PhotoAnswer, PhotoSearch};
+    use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+    use pilotage_core::raster::{Picture, encode_png};
 
-    use crate::{DescribeMapOrder, FlightSource, FlyOrder, Job, MapSource, PhotosOrder};
+    use crate::{
+        DescribeMapOrder, FlightSource, FlyOrder, InlineWorkers, Job, JobEvent, MapSource,
+        PhotosOrder, ProvideOrder,
+    };
 
     #[test]
     fn photos_being_laid_keep_neither_their_flight_nor_the_map_waiting() {
@@ -195,6 +205,7 @@ mod tests {
             origin: None,
             ground: GroundRect::centered(GroundPoint::default(), 100.0, 100.0),
             search: PhotoSearch::default(),
+            rows: None,
         }));
         let fly = Job::Fly(FlyOrder {
             flight: FlightSource::Files("drop".to_owned()),
@@ -205,5 +216,78 @@ mod tests {
         assert_ne!(lay.role(), fly.role());
         assert_ne!(lay.role(), describe.role());
         assert_eq!(lay.files(), ["drop", "map"]);
+    }
+
+    /// Grey blocks of six pixels, no two areas alike.
+    fn ground(x: usize, y: usize) -> [u8; 3] {
+        let block = (x / 6 * 7919 + y / 6 * 104_729) as u64;
+        let mixed = (block ^ (block >> 7)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        [(mixed >> 56) as u8; 3]
+    }
+
+    /// The answer for a photo that says nothing, over a map of half a metre a pixel, beside a table that places it at so many
+    /// metres south and east of the map's corner.
+    fn laid_by_table(south: f64, east: f64) -> PhotoAnswer {
+        let seen = |left: usize, top: usize| move |x: usize, y: usize| ground(left + x, top + y);
+        let map = encode_png(&Picture::from_fn(400, 300, seen(0, 0))).expect("a map");
+        let photo = encode_png(&Picture::from_fn(160, 120, seen(60, 60))).expect("a photo");
+        let origin = Geodetic::from_degrees(47.0, 8.0, 0.0);
+        let corner = LocalFrame::new(origin);
+        let place = corner.geodetic_from_ground(&GroundPoint::new(-south, east));
+        let (latitude, longitude) = (place.latitude.to_degrees(), place.longitude.to_degrees());
+        let table = format!("EPSG:4326\nP.png {longitude:.9} {latitude:.9} 520\n");
+        let files = vec![
+            ("P.png".to_owned(), photo.into()),
+            ("geo.txt".to_owned(), table.into_bytes().into()),
+            ("map.png".to_owned(), map.into()),
+            (
+                "map.pgw".to_owned(),
+                b"0.5\n0\n0\n-0.5\n0.25\n-0.25\n".to_vec().into(),
+            ),
+        ];
+        let key = "drop".to_owned();
+        let mut workers = InlineWorkers::new();
+        workers.start(Job::Provide(ProvideOrder {
+            key: key.clone(),
+            files,
+        }));
+        workers.start(Job::LayPhotos(Box::new(PhotosOrder {
+            map: MapSource::Files(key.clone()),
+            key,
+            names: vec!["P.png".to_owned()],
+            origin: Some(origin),
+            ground: GroundRect::centered(GroundPoint::new(-75.0, 100.0), 200.0, 150.0),
+            search: PhotoSearch {
+                within: 8.0,
+                height: Some(150.0),
+                heading: Some(0.0),
+                focal: Some(300.0),
+                ..PhotoSearch::default()
+            },
+            rows: None,
+        })));
+        let mut answer = None;
+        while workers.busy() {
+            for (_, event) in workers.events() {
+                match event {
+                    JobEvent::PhotoRegistered(report) => answer = Some(report.answer),
+                    JobEvent::Failed(why) => panic!("{why}"),
+                    _ => {}
+                }
+            }
+        }
+        answer.expect("an answer")
+    }
+
+    #[test]
+    fn a_photo_that_says_nothing_is_looked_for_where_the_table_beside_it_says() {
+        let right = laid_by_table(63.0, 67.0);
+        let assumed = right.assumed.join("; ");
+        assert!(assumed.contains("as the table beside it says"), "{assumed}");
+        let laid = right.laid.expect("it is laid");
+        let off = (laid.centre.north + 60.0).hypot(laid.centre.east - 70.0);
+        assert!(off < 1.0, "{:?}", laid.centre);
+        let wrong = laid_by_table(100.0, 130.0);
+        assert!(wrong.laid.is_err(), "{wrong:?}");
     }
 }

@@ -126,3 +126,101 @@ fn no_photo_is_written_over_and_two_of_one_name_have_two_pictures() {
     assert!(read("P.png") == first && read("other/P.png") == second);
     assert_ne!(read("P.overlay.png"), read("P.overlay-2.png"));
 }
+
+/// A photo that says nothing is looked for where a table in its folder says it was taken, in the forms of several makers, and
+/// nowhere else; what people say goes before the table.
+#[test]
+fn a_photo_is_laid_where_the_table_in_its_folder_says_that_it_was_taken() {
+    let folder = Folder::new("register-table");
+    // Grey blocks of six pixels, no two areas alike.
+    let grey = |x: usize, y: usize| {
+        let block = (x / 6 * 7919 + y / 6 * 104_729) as u64;
+        let mixed = (block ^ (block >> 7)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        [(mixed >> 56) as u8; 3]
+    };
+    // Half a metre a pixel where a degree has 111 170 metres north and 76 057 east.
+    let metre = [1.0 / 111_170.0, 1.0 / 76_057.0];
+    let world = format!(
+        "{across:.12}\n0\n0\n-{down:.12}\n{west:.12}\n{north:.12}\n",
+        down = 0.5 * metre[0],
+        across = 0.5 * metre[1],
+        north = 47.0 - 0.25 * metre[0],
+        west = 8.0 + 0.25 * metre[1],
+    );
+    folder.write(
+        "map.png",
+        encode_png(&Picture::from_fn(400, 300, grey)).unwrap(),
+    );
+    folder.write("map.pgw", world);
+    folder.write("map.prj", "EPSG:4326");
+    let photo = |left: usize, top: usize| {
+        encode_png(&Picture::from_fn(160, 120, |x, y| grey(left + x, top + y))).unwrap()
+    };
+    // Middles of the photos, metres south and east of the map's corner.
+    let middles = [[60.0, 70.0], [90.0, 140.0]];
+    let place = |[south, east]: [f64; 2]| [47.0 - south * metre[0], 8.0 + east * metre[1]];
+    let [[a1, o1], [a2, o2]] = middles.map(place);
+    let tables = [
+        (
+            "pix4d.csv",
+            format!("IMG_0001.png,{a1:.8},{o1:.8},520\nIMG_0002.png,{a2:.8},{o2:.8},520\n"),
+        ),
+        (
+            "geo.txt",
+            format!("EPSG:4326\nIMG_0001.png {o1:.8} {a1:.8} 520\nIMG_0002.png {o2:.8} {a2:.8} 520\n"),
+        ),
+        (
+            "flight_Timestamp.MRK",
+            [(1, a1, o1), (2, a2, o2)]
+                .map(|(n, a, o)| {
+                    format!(
+                        "{n}\t295218.5\t[2312]\t  10,N\t  20,E\t 190,V\t{a:.8},Lat\t{o:.8},Lon\t520.0,Ellh\t0.01, 0.01, 0.02\t50,Q\n"
+                    )
+                })
+                .concat(),
+        ),
+    ];
+    let known = [
+        "--focal",
+        "300",
+        "--height",
+        "150",
+        "--heading",
+        "0",
+        "--within",
+        "8",
+    ];
+    let lay = |photos: &[&str], more: &[&str]| {
+        let said = folder.run(&[&["register", "map.png"], photos, &known, more].concat());
+        said.unwrap()
+    };
+    for (name, text) in &tables {
+        let inside = name.rsplit_once('.').unwrap().0;
+        std::fs::create_dir_all(folder.0.join(inside)).unwrap();
+        folder.write(&format!("{inside}/IMG_0001.png"), photo(60, 60));
+        folder.write(&format!("{inside}/IMG_0002.png"), photo(200, 120));
+        folder.write(&format!("{inside}/{name}"), text);
+        let photos = [1, 2].map(|n| format!("{inside}/IMG_000{n}.png"));
+        let photos = photos.each_ref().map(String::as_str);
+        let said: Value = serde_json::from_str(&lay(&photos, &["--json"])).unwrap();
+        for (number, middle) in middles.into_iter().enumerate() {
+            let answer = &said[number];
+            let assumed = answer["assumed"].to_string();
+            assert!(
+                assumed.contains("place as the table beside it says"),
+                "{answer}"
+            );
+            let at = [0, 1].map(|i| answer["centre_lat_lon"][i].as_f64().unwrap());
+            let right = place(middle);
+            let off = ((at[0] - right[0]) / metre[0]).hypot((at[1] - right[1]) / metre[1]);
+            assert!(off < 1.0, "{name}: {off} m: {answer}");
+        }
+        // By the place of the other photo none is found here.
+        let elsewhere = format!("{a2:.8},{o2:.8}");
+        let said = lay(&photos[..1], &["--at", &elsewhere]);
+        assert!(
+            said.contains("place as you said") && said.contains("not laid: "),
+            "{said}"
+        );
+    }
+}

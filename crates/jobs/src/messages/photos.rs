@@ -1,6 +1,6 @@
 //! Photos to be laid on a map, each by itself.
 
-use pilotage_core::flight::photo::{PhotoAnswer, PhotoSearch, RegisteredPhoto};
+use pilotage_core::flight::photo::{PhotoAnswer, PhotoRows, PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +21,8 @@ pub struct PhotosOrder {
     pub ground: GroundRect,
     /// Prior of the pose, and the range around it that is searched.
     pub search: PhotoSearch,
+    /// Places of the photos in tables beside them, by their names; looked for among the files if `None`.
+    pub rows: Option<PhotoRows>,
 }
 
 /// Result of laying a photo.

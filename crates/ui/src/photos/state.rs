@@ -123,6 +123,7 @@ impl PhotosState {
             origin: sought.origin,
             ground: sought.ground,
             search: self.search,
+            rows: None,
         })
     }
 

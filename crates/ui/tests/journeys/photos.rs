@@ -178,6 +178,37 @@ fn photos_dropped_with_a_map_are_laid_on_it_or_refused_with_a_reason() {
 }
 
 #[test]
+fn photos_that_say_nothing_are_a_flight_and_are_laid_by_the_table_dropped_with_them() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    let mut files = map(&ground);
+    let corners = [(120, 100), (260, 220)];
+    let mut table = "EPSG:4326\n".to_owned();
+    for (number, corner) in (1..).zip(corners) {
+        let (width, height) = PHOTO;
+        let seen = Picture::from_fn(width, height, |x, y| ground.get(corner.0 + x, corner.1 + y));
+        let jpeg = encode_jpeg(&seen, 92).expect("memory");
+        files.push(file(&format!("{number}.jpg"), jpeg));
+        let [latitude, longitude] = middle(corner);
+        table += &format!("{number}.JPG {longitude:.8} {latitude:.8} 590 0 0 0\n");
+    }
+    files.push(file("geo.txt", table.into_bytes()));
+    rig.host().opened.push(files);
+    rig.settle();
+    let rows = rows(&mut rig);
+    assert_eq!(rows.len(), 2, "{rows:?}");
+    for (row, corner) in rows.iter().zip(corners) {
+        let assumed = row["assumed"].as_str().expect("words");
+        assert!(assumed.contains("as the table beside it says"), "{row}");
+        assert!(error(row, corner) < 1.5, "{row}");
+    }
+    let toasts = rig.state()["toasts"].to_string().to_lowercase();
+    assert!(!toasts.contains("left out"), "{toasts}");
+    assert!(toasts.contains("a table beside them tells"), "{toasts}");
+}
+
+#[test]
 fn limits_are_changed_and_the_photos_laid_again() {
     let mut rig = rig();
     rig.host().really_open = true;

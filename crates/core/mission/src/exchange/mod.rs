@@ -18,6 +18,7 @@ mod csv_geometry;
 mod csv_hemisphere;
 mod csv_letter_o;
 mod csv_named;
+mod csv_pictures;
 mod csv_place;
 mod csv_preface;
 mod csv_read;
@@ -74,6 +75,7 @@ mod written;
 mod xml;
 
 pub use csv_cells::cells_of_row;
+pub use csv_pictures::{TabledPicture, TabledPictures, placed_pictures};
 pub use error::ExchangeError;
 pub use flown::write_flown;
 pub use flown_track::{FlownPoint, FlownTrack, FlownValues};

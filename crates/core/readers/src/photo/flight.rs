@@ -9,9 +9,10 @@ use nalgebra::Point3;
 use super::camera::focal_in_pixels;
 use super::lenses::of_one_lens;
 use super::log::log;
+use super::place::PhotoPlace;
 use super::pose::{by_gimbal, photo_pose};
-use super::read::{Photo, PhotoPlace, read_photo};
-use super::tabled::are_of_a_table;
+use super::read::{Photo, read_photo};
+use super::tabled::{PhotoRows, are_of_a_table, fill};
 use super::timed::TimedPhoto;
 use crate::folder::{FlightFolder, FlightOrigin, FolderFrames};
 use crate::times::most_told_era;
@@ -36,8 +37,18 @@ const GPS_DEVIATION: f64 = 5.0;
 /// the aircraft. World is the tangent plane at the first photo, the ground where the aircraft took off. The track
 /// of the photos counts as the truth: it is what there is, and no better than it.
 pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
+    flight_of_photos(files, None)
+}
+
+/// The same of photos whose places stand in tables beside them: of those that do not say themselves where they were taken,
+/// `rows` tell it.
+pub fn read_tabled_photos(files: &Arc<dyn FileSet>, rows: &PhotoRows) -> Option<FlightFolder> {
+    flight_of_photos(files, Some(rows))
+}
+
+fn flight_of_photos(files: &Arc<dyn FileSet>, rows: Option<&PhotoRows>) -> Option<FlightFolder> {
     let mut notes = Vec::new();
-    let photos = photos(files.as_ref(), &mut notes);
+    let photos = photos(files.as_ref(), rows, &mut notes);
     let (first, origin) = photos.iter().find_map(|p| Some((p, p.photo.place?)))?;
     if photos.iter().filter(|p| p.photo.place.is_some()).count() < FEWEST {
         return None;
@@ -93,17 +104,25 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
     })
 }
 
-/// Photos of one size, camera and lens, in the order of their times.
-fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
+/// Photos of one size, camera and lens, in the order of their times, with the places that `rows` of tables tell.
+fn photos(
+    files: &dyn FileSet,
+    rows: Option<&PhotoRows>,
+    notes: &mut Vec<String>,
+) -> Vec<TimedPhoto> {
     let mut names = files.names();
     names.retain(|name| is_photo(name) || is_png(name));
     names.sort();
     let mut photos = Vec::new();
     let mut unread = Vec::new();
+    let is_told = |name: &str, photo: Option<&Photo>| {
+        let is_in_table = || rows.is_some_and(|rows| rows.0.contains_key(name));
+        photo.is_some_and(|photo| photo.place.is_some() || is_in_table())
+    };
     for name in &names {
         match files.source(name).map(|source| read_photo(source.as_ref())) {
             // A PNG without a place is some other picture: a map, a screen.
-            Some(read) if is_png(name) && read.as_ref().map_or(true, |it| it.place.is_none()) => {}
+            Some(read) if is_png(name) && !is_told(name, read.as_ref().ok()) => {}
             Some(Ok(photo)) => photos.push(Photo {
                 name: name.clone(),
                 ..photo
@@ -119,8 +138,10 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
         };
         notes.push(format!("{them} could not be read as photos: {first}"));
     }
-    if are_of_a_table(&names, &photos, files) {
-        return Vec::new();
+    match rows {
+        Some(rows) => fill(&mut photos, rows, notes),
+        None if are_of_a_table(&names, &photos, files) => return Vec::new(),
+        None => {}
     }
     // Most photos decide, if enough of them are placed.
     let mut sizes: BTreeMap<(usize, usize), (usize, usize)> = BTreeMap::new();

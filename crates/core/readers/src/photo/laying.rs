@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::read::{Photo, read_photo};
 use super::search::PhotoSearch;
+use super::tabled::PhotoRow;
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, Pose};
 use pilotage_raster::camera::CameraModel;
@@ -70,14 +71,15 @@ pub struct RegisteredPhoto {
 pub type DecodePhoto = fn(&str, &[u8]) -> Result<Picture, String>;
 
 impl PhotoLook {
-    /// Reads a photo, and gathers of it what its file tells and what is known better. The map lies in `world` on the
-    /// globe; a photo of which no place is known is searched all over `ground`.
+    /// Reads a photo, and gathers of it what its file tells, what the `row` of a table beside it tells where the file says no
+    /// place, and what is known better. The map lies in `world` on the globe; a photo of which no place is known is searched all over `ground`.
     ///
     /// # Errors
     /// The picture cannot be read or decoded, or a place is stated that the map cannot have: in words that name it.
     pub fn read(
         source: &dyn ByteSource,
         decode: DecodePhoto,
+        row: Option<&PhotoRow>,
         search: &PhotoSearch,
         world: Option<&LocalFrame>,
         ground: &GroundRect,
@@ -87,11 +89,14 @@ impl PhotoLook {
         let bytes = bytes.map_err(|cause| told(&cause))?;
         let picture = decode(source.name(), &bytes).map_err(|cause| told(&cause))?;
         // What is neither JPEG nor TIFF says nothing of itself.
-        let photo = Photo {
+        let mut photo = Photo {
             width: picture.width(),
             height: picture.height(),
             ..read_photo(source).unwrap_or_default()
         };
+        if let Some(row) = row {
+            row.tell(&mut photo);
+        }
         let mut assumed = Vec::new();
         let camera = search.camera(&photo, &mut assumed);
         let prior = search.prior(&photo, world, ground, &mut assumed);

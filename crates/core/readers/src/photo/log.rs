@@ -1,6 +1,7 @@
 //! The log that photos are: what each tells of itself, and what that is in navigation.
 
-use super::read::{Photo, PhotoPlace};
+use super::place::PhotoPlace;
+use super::read::Photo;
 use super::timed::TimedPhoto;
 use crate::folder::of_samples;
 use crate::interpret::{Role, RoleSeries};

@@ -14,6 +14,7 @@ mod lenses;
 mod log;
 #[cfg(test)]
 mod makers_tests;
+mod place;
 mod png;
 #[cfg(test)]
 mod png_tests;
@@ -31,10 +32,12 @@ mod triggers;
 mod xmp;
 
 pub use camera::{focal_in_pixels, told_focal};
-pub use flight::{photos_lack, read_photos};
+pub use flight::{photos_lack, read_photos, read_tabled_photos};
 pub use laying::{DecodePhoto, PhotoAnswer, PhotoLook, RegisteredPhoto};
+pub use place::{PhotoPlace, PhotoPlaceSource};
 pub use pose::{PhotoPose, photo_pose};
-pub use read::{Photo, PhotoError, PhotoPlace, read_photo};
+pub use read::{Photo, PhotoError, read_photo};
 pub use search::PhotoSearch;
+pub use tabled::{PhotoRow, PhotoRows};
 pub use triggered::{PlacedPhotos, add_photos};
 pub use triggers::{Triggers, triggers};

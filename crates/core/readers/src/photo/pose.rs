@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::place::PhotoPlaceSource;
 use super::read::Photo;
 use crate::gimbal::looking_down;
 use pilotage_base::frames::{Attitude, wrap_pi};
@@ -36,7 +37,7 @@ pub(super) fn by_gimbal(photo: &Photo) -> Option<Attitude> {
 }
 
 /// Pose that a photo tells: by the gimbal, else by the aircraft's heading with the camera straight down, else
-/// by the direction in EXIF.
+/// by the direction in EXIF or in a table beside it.
 pub fn photo_pose(photo: &Photo) -> PhotoPose {
     let pose = |heading, roll, pitch, told_by| PhotoPose {
         heading,
@@ -65,9 +66,12 @@ pub fn photo_pose(photo: &Photo) -> PhotoPose {
             "by the aircraft, to which the camera counts as fixed",
         ),
         (None, None) => {
-            let told_by = match photo.direction {
-                Some(_) => "by the direction in EXIF",
-                None => "by nothing",
+            let told_by = match (photo.direction, photo.placed_by) {
+                (Some(_), PhotoPlaceSource::Photo) => "by the direction in EXIF",
+                (Some(_), PhotoPlaceSource::Table) => {
+                    "by the direction in EXIF or the table beside it"
+                }
+                (None, _) => "by nothing",
             };
             pose(photo.direction.map(wrap_pi), 0.0, 0.0, told_by)
         }

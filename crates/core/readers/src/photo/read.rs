@@ -2,6 +2,7 @@
 
 use super::exif::{self, Exif, ExifDirectory};
 use super::head::{HeadSearch, head};
+use super::place::{PhotoPlace, PhotoPlaceSource};
 use super::png::{self, png_head};
 use super::xmp::Xmp;
 use crate::cells::{Moment, date_and_time, has_zone};
@@ -18,17 +19,6 @@ const LONGEST_TIFF: u64 = 1 << 28;
 
 /// Places that one photo tells twice and that lie farther apart are told, metres.
 const APART: f64 = 100.0;
-
-/// Place at which a photo was taken.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PhotoPlace {
-    /// Radians, north positive.
-    pub latitude: f64,
-    /// Radians, east positive.
-    pub longitude: f64,
-    /// Metres above sea level, or what the camera takes for it, where it says so.
-    pub altitude: Option<f64>,
-}
 
 /// Metadata of a photo.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -49,6 +39,8 @@ pub struct Photo {
     pub is_utc: bool,
     /// Place at which it was taken.
     pub place: Option<PhotoPlace>,
+    /// Source of that place.
+    pub placed_by: PhotoPlaceSource,
     /// Height above take-off, metres.
     pub height_above_take_off: Option<f64>,
     /// Attitude of the camera: pitch 0 looks level, -π/2 straight down; the roll is about the view.
@@ -198,6 +190,7 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
         taken,
         is_utc,
         place: place(&exif.gps, xmp),
+        placed_by: PhotoPlaceSource::Photo,
         height_above_take_off: xmp.number(&HEIGHTS),
         gimbal: gimbal.filter(|_| !is_gimbal_blank),
         is_roll_about_top,

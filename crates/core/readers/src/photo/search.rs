@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::camera::focal_in_pixels;
+use super::place::PhotoPlaceSource;
 use super::pose::{PhotoPose, photo_pose};
 use super::read::Photo;
 use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
@@ -135,10 +136,10 @@ impl PhotoSearch {
         let Some((place, world)) = self.at.or(of_photo).zip(world) else {
             return Ok(None);
         };
-        let by = if self.at.is_some() {
-            "as you said"
-        } else {
-            "as the photo says"
+        let by = match photo.placed_by {
+            _ if self.at.is_some() => "as you said",
+            PhotoPlaceSource::Photo => "as the photo says",
+            PhotoPlaceSource::Table => "as the table beside it says",
         };
         assumed.push(format!("place {by}, within {:.0} m", self.within));
         Ok(Some(world.ground_from_geodetic(&place)))
@@ -152,7 +153,7 @@ impl PhotoSearch {
             }
             (None, Some(height)) => {
                 assumed.push(format!(
-                    "height {height:.0} m, which the photo counts from take-off"
+                    "height {height:.0} m, which is counted from take-off"
                 ));
                 (height, self.height_within)
             }
@@ -194,7 +195,7 @@ impl PhotoSearch {
 
 #[cfg(test)]
 mod tests {
-    use super::super::read::PhotoPlace;
+    use super::super::place::PhotoPlace;
     use super::*;
     use pilotage_base::frames::Attitude;
     use pilotage_vision::registration::{limit_of, share_of};
