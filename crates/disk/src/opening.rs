@@ -16,6 +16,9 @@ use pilotage_jobs::{
 
 use crate::files::{DirectoryFiles, DiskFile};
 
+/// Most files of a folder or zip that are named where none of them is a flight.
+const NAMED: usize = 5;
+
 /// Contents of a path.
 pub enum OpenedPath {
     /// A flight out of a folder or photos.
@@ -204,7 +207,7 @@ fn open_folder(
 fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     if tables.is_empty() {
         let names = files.names();
-        let some: Vec<&str> = names.iter().take(5).map(String::as_str).collect();
+        let some: Vec<&str> = names.iter().take(NAMED).map(String::as_str).collect();
         let more = if names.len() > some.len() {
             ", …"
         } else {
@@ -220,11 +223,11 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
             !names.is_empty() && all.all(|name| files::has_ending(name, endings))
         };
         let advice = match () {
-            () if has_ending(&["zip"]) => "; unpack it, and open a zip that was in it",
+            () if has_ending(&["zip"]) => "; unpack it, and open a zip that was in it".to_owned(),
             () if has_ending(&["png", "tif", "tiff", "webp", "heic", "jxl"]) => {
-                "; photos with places are read from JPEG and PNG: save them so"
+                "; photos with places are read from JPEG and PNG: save them so".to_owned()
             }
-            () => "",
+            () => kind_within(files, &names),
         };
         return format!(
             "no log, no table and no photos with places are among the files, and no flight.json: {held}{advice}"
@@ -254,6 +257,16 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
         "no flight can be made of it as its columns are guessed; say what they mean with `pilotage columns`{}",
         told.concat()
     )
+}
+
+/// Words on the kind of the first of the named files that is of a known one, and what to do with it.
+fn kind_within(files: &dyn FileSet, names: &[String]) -> String {
+    let mut kinds = names.iter().take(NAMED).filter_map(|name| {
+        let source = files.source(name)?;
+        let is = foreign_kind(source.as_ref())?;
+        Some(format!("; {name} is {}: {}", is.what, is.advice))
+    });
+    kinds.next().unwrap_or_default()
 }
 
 /// The lack of a table that is no flight, with the columns that it has.

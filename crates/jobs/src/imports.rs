@@ -4,7 +4,7 @@ use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{ExchangeError, Format, Imported, read_any};
 use pilotage_core::flight::beside_log::PICTURE_TABLE;
 use pilotage_core::flight::columns::{ColumnRole, GuessedTable};
-use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
+use pilotage_core::flight::files::{FileSet, ZipFiles, file_of, has_ending, names_ending_in};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::mission::places_in_degrees;
 
@@ -18,11 +18,59 @@ use super::tables::columns_file;
 const ANYBODYS: [&str; 5] = ["csv", "tsv", "geojson", "json", "txt"];
 
 /// Reads the routes and landmarks of a file as [`read_any`] does, and control points in systems that only readers of maps
-/// know.
+/// know; of a zip those of the only file in it that has any.
 ///
 /// # Errors
-/// As [`read_any`].
+/// As [`read_any`]; a zip with several such files, which are named.
 pub fn read_exchange(
+    name: &str,
+    bytes: &[u8],
+    frame: Option<LocalFrame>,
+) -> Result<Imported, ExchangeError> {
+    let is_zip = bytes.starts_with(b"PK\x03\x04") && Format::of(name, bytes).is_none();
+    let within = if is_zip { packed(name, bytes)? } else { None };
+    let Some((inner, content)) = within else {
+        return read_unpacked(name, bytes, frame);
+    };
+    let mut imported = read_unpacked(&inner, &content, frame)?;
+    imported
+        .notes
+        .insert(0, format!("{inner} is read, which is in it"));
+    Ok(imported)
+}
+
+/// The only file in a zip that has routes or landmarks, if there is one.
+fn packed(name: &str, bytes: &[u8]) -> Result<Option<(String, Vec<u8>)>, ExchangeError> {
+    let Ok(files) = ZipFiles::open(bytes) else {
+        return Ok(None);
+    };
+    let mut found = Vec::new();
+    for inner in files.names() {
+        let content = files.read(&inner).unwrap_or_default();
+        let is_hidden = file_of(&inner).starts_with('.');
+        if !is_hidden && !is_mission(&inner, &content) && is_exchange_known(&inner, &content) {
+            found.push((inner, content));
+        }
+    }
+    if found.len() > 1 {
+        let names: Vec<&str> = found.iter().map(|(inner, _)| inner.as_str()).collect();
+        return Err(ExchangeError::File {
+            file: name.to_owned(),
+            cause: format!(
+                "several files with routes or landmarks are in it ({}): unpack it, and read them one by one",
+                names.join(", ")
+            ),
+        });
+    }
+    Ok(found.pop())
+}
+
+/// Whether a file is surely of one of the formats, by what is in it.
+fn is_exchange_known(name: &str, bytes: &[u8]) -> bool {
+    Format::of(name, bytes).is_some() && is_exchange(name, bytes)
+}
+
+fn read_unpacked(
     name: &str,
     bytes: &[u8],
     frame: Option<LocalFrame>,
@@ -162,12 +210,35 @@ mod tests {
     use super::super::file_pool::FilePool;
     use super::super::{FileContent, LentFiles};
     use super::*;
+    use pilotage_core::flight::files::{FileSink as _, ZipSink};
     use pilotage_core::imagery::ByteSource;
 
     const WAY_POINTS: &str = "QGC WPL 110\n\
         0\t1\t0\t16\t0\t0\t0\t0\t47.0\t8.0\t400\t1\n\
         1\t0\t3\t16\t0\t0\t0\t0\t47.001\t8.0\t80\t1\n\
         2\t0\t3\t16\t0\t0\t0\t0\t47.002\t8.001\t80\t1\n";
+
+    #[test]
+    fn the_only_mission_in_a_zip_is_read_and_several_are_named() {
+        let zip = |files: &[(&str, &str)]| {
+            let mut sink = ZipSink::default();
+            for (name, text) in files {
+                sink.write(name, text.as_bytes()).unwrap();
+            }
+            sink.finish().unwrap()
+        };
+        let packed = zip(&[("a/b.waypoints", WAY_POINTS), ("a/readme.txt", "words")]);
+        let read = read_exchange("a.zip", &packed, None).unwrap();
+        assert_eq!(read.routes[0].way_points.len(), 2);
+        let is_told = |note: &String| note.starts_with("a/b.waypoints is read");
+        assert!(read.notes.iter().any(is_told), "{:?}", read.notes);
+        let packed = zip(&[("b.waypoints", WAY_POINTS), ("c.waypoints", WAY_POINTS)]);
+        let why = read_exchange("a.zip", &packed, None).unwrap_err().to_string();
+        assert!(why.contains("b.waypoints, c.waypoints"), "{why}");
+        let packed = zip(&[("readme.txt", "words")]);
+        let why = read_exchange("a.zip", &packed, None).unwrap_err();
+        assert!(matches!(why, ExchangeError::Unknown { .. }), "{why}");
+    }
 
     fn look(name: &str, text: &str, latitude: f64) -> Result<Vec<ImportedFile>, String> {
         let files = [(name.to_owned(), text.as_bytes().to_vec().into())];

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::process::{Command, Output};
 
+use pilotage_core::flight::files::{FileSink as _, ZipSink};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::{read_mission, write_mission};
 use pilotage_core::roads::{RoadClass, RoadLine};
@@ -214,4 +215,52 @@ fn a_mission_says_what_it_leaves_behind_and_is_not_written_over_itself() {
     assert!(!output.status.success() && words(&output.stderr).contains("another file"));
     let after = std::fs::read_to_string(folder.0.join("m.geojson")).expect("it stays");
     assert_eq!(after.as_bytes(), before.as_bytes());
+}
+
+#[test]
+fn the_mission_in_a_zip_is_converted_as_inspect_advises_and_files_without_a_flight_are_named() {
+    let folder = Folder::new("convert-zip");
+    let zip = |name: &str, files: &[(&str, &str)]| {
+        let mut sink = ZipSink::default();
+        for (inner, text) in files {
+            sink.write(inner, text.as_bytes()).expect("memory");
+        }
+        folder.write(name, sink.finish().expect("memory"));
+    };
+    folder.write(
+        "a.csv",
+        "route,lat,lon,alt_amsl_m\nR,47.4,8.5,500\nR,47.41,8.51,510\n",
+    );
+    let made = folder.convert("a.csv", "a.plan", &[]);
+    assert!(made.status.success(), "{}", words(&made.stderr));
+    let plan = std::fs::read_to_string(folder.0.join("a.plan")).expect("it was written");
+    zip(
+        "m.zip",
+        &[("out/a.plan", &plan), ("out/readme.md", "words")],
+    );
+    let told = folder.run(&["inspect", "m.zip"]).unwrap_err();
+    assert!(
+        told.contains("a plan of QGroundControl") && told.contains("pilotage convert"),
+        "{told}"
+    );
+    let read = folder.convert("m.zip", "b.csv", &[]);
+    let said = words(&read.stderr);
+    assert!(read.status.success(), "{said}");
+    assert!(
+        said.contains("out/a.plan is read, which is in it"),
+        "{said}"
+    );
+    let table = std::fs::read_to_string(folder.0.join("b.csv")).expect("it was written");
+    assert!(table.contains(",47.41,8.51,510,amsl"), "{table}");
+
+    let dump = r#"{"type": "FeatureCollection", "features": []}"#;
+    zip(
+        "other.zip",
+        &[("x/fence.geojson", dump), ("x/readme.md", "words")],
+    );
+    let told = folder.run(&["inspect", "other.zip"]).unwrap_err();
+    assert!(
+        told.contains("x/fence.geojson is GeoJSON") && told.contains("pilotage convert"),
+        "{told}"
+    );
 }

@@ -33,9 +33,9 @@ const ENTRIES: &[(&str, Foreign)] = &[
     name("*.wpml", "a way-point mission of DJI (KMZ)", CONVERT),
     name("*.shp", "a zipped shapefile", SHAPE),
     name("*.hgt", "heights of the ground in a zip (SRTM, .hgt)", UNPACK),
-    name("*.plan", "a plan of QGroundControl in a zip", UNPACK),
-    name("*.waypoints", "a mission of way-points in a zip", UNPACK),
-    name("*.mission", "a mission in a zip", UNPACK),
+    name("*.plan", "a plan of QGroundControl in a zip", CONVERT),
+    name("*.waypoints", "a mission of way-points in a zip", CONVERT),
+    name("*.mission", "a mission in a zip", CONVERT),
     name("*.kmz", "KMZ in a zip", CONVERT),
 ];
 
