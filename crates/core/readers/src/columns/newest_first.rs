@@ -143,6 +143,44 @@ mod tests {
     }
 
     #[test]
+    fn a_counter_that_is_full_and_a_table_from_its_end_are_told_apart_also_where_both_are() {
+        for (name, length) in [
+            ("time_us", 1_u64 << 32),
+            ("time_ms", 1 << 32),
+            ("time_ms", 1 << 16),
+        ] {
+            let second = if name == "time_us" { 1_000_000 } else { 1000 };
+            for count in [60_u32, 200] {
+                // Full after a third of the rows, or forty.
+                let begin = length - u64::from(count / 3).min(40) * second + second / 3;
+                let time = |row: u32| ((begin + u64::from(row) * second) % length).to_string();
+                let forward: Vec<u32> = (0..count).collect();
+                let backward: Vec<u32> = (0..count).rev().collect();
+                for (rows, is_turned) in [(&forward, false), (&backward, true)] {
+                    let text = table(time, name, rows);
+                    let files = files(&[("a.csv", &text)]);
+                    let case = format!("{name} {length} {count} {is_turned}");
+                    let map = guess_table("a.csv", text.as_bytes()).expect(&case);
+                    let folder = flight_of_tables(&files, &[map]).expect(&case);
+                    let is_told = folder.notes.iter().any(|note| note.contains("newest row"));
+                    assert_eq!(is_told, is_turned, "{case}: {:?}", folder.notes);
+                    let states = folder.flight.truth.expect(&case).states;
+                    assert_eq!(states.len(), count as usize, "{case}");
+                    for (state, row) in states.iter().zip(0..count) {
+                        let since = state.time - states[0].time;
+                        assert!((since - f64::from(row)).abs() < 1e-6, "{case}: {since}");
+                        let north = state.position.x - states[0].position.x;
+                        assert!(
+                            (north - 15.0 * f64::from(row)).abs() < 0.5,
+                            "{case}: {north}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
     fn a_time_that_is_left_beside_a_clock_turns_nothing() {
         let both = |row: u32| format!("{row},{}", 600 - row);
         let rows: Vec<u32> = (0..60).collect();
