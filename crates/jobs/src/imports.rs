@@ -233,7 +233,9 @@ mod tests {
         let is_told = |note: &String| note.starts_with("a/b.waypoints is read");
         assert!(read.notes.iter().any(is_told), "{:?}", read.notes);
         let packed = zip(&[("b.waypoints", WAY_POINTS), ("c.waypoints", WAY_POINTS)]);
-        let why = read_exchange("a.zip", &packed, None).unwrap_err().to_string();
+        let why = read_exchange("a.zip", &packed, None)
+            .unwrap_err()
+            .to_string();
         assert!(why.contains("b.waypoints, c.waypoints"), "{why}");
         let packed = zip(&[("readme.txt", "words")]);
         let why = read_exchange("a.zip", &packed, None).unwrap_err();
