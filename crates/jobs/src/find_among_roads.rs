@@ -166,8 +166,14 @@ impl FindAmongRoadsOrder {
                     ..*search
                 };
                 let anywhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-                let photo =
-                    PhotoLook::read(source.as_ref(), decode_photo, &search, None, &anywhere)?;
+                let photo = PhotoLook::read(
+                    source.as_ref(),
+                    decode_photo,
+                    None,
+                    &search,
+                    None,
+                    &anywhere,
+                )?;
                 in_photo(&photo, &search)
             }
         }

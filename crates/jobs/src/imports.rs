@@ -48,7 +48,7 @@ fn packed(name: &str, bytes: &[u8]) -> Result<Option<(String, Vec<u8>)>, Exchang
     for inner in files.names() {
         let content = files.read(&inner).unwrap_or_default();
         let is_hidden = file_of(&inner).starts_with('.');
-        if !is_hidden && !is_mission(&inner, &content) && is_exchange_known(&inner, &content) {
+        if !is_hidden && !is_mission(&inner, &content) && Format::is_expected_in(&inner, &content) {
             found.push((inner, content));
         }
     }
@@ -63,11 +63,6 @@ fn packed(name: &str, bytes: &[u8]) -> Result<Option<(String, Vec<u8>)>, Exchang
         });
     }
     Ok(found.pop())
-}
-
-/// Whether a file is surely of one of the formats, by what is in it.
-fn is_exchange_known(name: &str, bytes: &[u8]) -> bool {
-    Format::of(name, bytes).is_some() && is_exchange(name, bytes)
 }
 
 fn read_unpacked(
