@@ -6,6 +6,34 @@ const UNITS: [&str; 15] = [
     "secs", "second", "seconds",
 ];
 
+/// Words of names of columns in languages in which O is the east, and in those in which it is the west.
+const EAST_IS_O: [&str; 10] = [
+    "breite",
+    "länge",
+    "laenge",
+    "breitengrad",
+    "längengrad",
+    "laengengrad",
+    "höhe",
+    "hoehe",
+    "bezeichnung",
+    "punkt",
+];
+const WEST_IS_O: [&str; 12] = [
+    "latitud",
+    "longitud",
+    "nombre",
+    "altitud",
+    "nom",
+    "hauteur",
+    "lieu",
+    "latitudine",
+    "longitudine",
+    "nome",
+    "quota",
+    "altura",
+];
+
 /// Degrees of a text such as `33.85 S`, `W18°25.2'`, `33° 51' 0.5" S`, `33 51 00 S`, `-33°51'`, `33 deg 51' 0.00" S`,
 /// `33-51-00S`, or packed as `3351.5S`, `335130.0S` and `01825.2W`; south and west are negative.
 ///
@@ -234,6 +262,64 @@ pub fn hemisphere(word: &str) -> Option<char> {
         "s" | "south" | "süd" | "sued" | "sud" | "sur" => Some('S'),
         "e" | "east" | "ost" | "este" => Some('E'),
         "w" | "west" | "ouest" | "oeste" | "ovest" => Some('W'),
+        _ => None,
+    }
+}
+
+/// Place of an O that stands alone at the end of a longitude, or before its number.
+fn lone_o(cell: &str) -> Option<usize> {
+    let cell = cell.trim_end();
+    let is_o = |letter: char| letter.eq_ignore_ascii_case(&'o');
+    if cell.starts_with(is_o) && !cell.chars().nth(1).is_some_and(char::is_alphabetic) {
+        return Some(0);
+    }
+    let before = cell.strip_suffix(is_o)?;
+    (!before.ends_with(char::is_alphabetic)).then_some(before.len())
+}
+
+/// The longitude of a cell with `letter` in place of an O that stands alone in it; `None` where none does.
+///
+/// ```
+/// use pilotage_base::angle_text::with_letter_for_o;
+///
+/// assert_eq!(with_letter_for_o("18,42 O", 'W').as_deref(), Some("18,42 W"));
+/// assert_eq!(with_letter_for_o("18,42 Ost", 'W'), None);
+/// ```
+pub fn with_letter_for_o(cell: &str, letter: char) -> Option<String> {
+    let (before, behind) = cell.split_at(lone_o(cell)?);
+    Some(format!("{before}{letter}{}", &behind[1..]))
+}
+
+/// The letter that an O stands for in a table, by the names of its columns and the cells of its longitudes and their letters:
+/// E (German `Ost`) where west is W or names are German, W (`Ouest`, `Oeste`, `Ovest`) where east is E or names are of
+/// those languages. `None` where nothing tells.
+pub fn meaning_of_o<'a>(
+    names: impl Iterator<Item = &'a str>,
+    cells: &(impl Iterator<Item = &'a str> + Clone),
+) -> Option<char> {
+    let has = |letter: char| {
+        cells.clone().any(|cell| {
+            let cell = cell.to_uppercase();
+            let mut words = cell.split(|c: char| !c.is_alphabetic());
+            words.any(|word| word.chars().eq([letter]))
+        })
+    };
+    match (has('W'), has('E')) {
+        (true, false) => return Some('E'),
+        (false, true) => return Some('W'),
+        (true, true) => return None,
+        (false, false) => {}
+    }
+    let names: Vec<String> = names.map(str::to_lowercase).collect();
+    let says = |list: &[&str]| {
+        names.iter().any(|name| {
+            let mut words = name.split(|c: char| !c.is_alphabetic());
+            words.any(|word| list.contains(&word))
+        })
+    };
+    match (says(&EAST_IS_O), says(&WEST_IS_O)) {
+        (true, false) => Some('E'),
+        (false, true) => Some('W'),
         _ => None,
     }
 }

@@ -1,37 +1,9 @@
 //! Letters of hemispheres in tables: in columns known by their cells, whatever they are called, and O for east or west.
 
-use pilotage_base::angle_text::hemisphere;
+use pilotage_base::angle_text::{hemisphere, meaning_of_o};
 
 use super::csv_columns::CsvRole;
 use super::csv_table::{ReadCsvTable, Records};
-
-/// Words of names of columns in languages in which O is the east, and in those in which it is the west.
-const EAST_IS_O: [&str; 10] = [
-    "breite",
-    "länge",
-    "laenge",
-    "breitengrad",
-    "längengrad",
-    "laengengrad",
-    "höhe",
-    "hoehe",
-    "bezeichnung",
-    "punkt",
-];
-const WEST_IS_O: [&str; 12] = [
-    "latitud",
-    "longitud",
-    "nombre",
-    "altitud",
-    "nom",
-    "hauteur",
-    "lieu",
-    "latitudine",
-    "longitudine",
-    "nome",
-    "quota",
-    "altura",
-];
 
 /// Words of names of columns of such letters.
 const WORDS: [&str; 20] = [
@@ -95,41 +67,15 @@ impl ReadCsvTable<'_> {
         }
     }
 
-    /// The letter that an O at a longitude stands for: E (German `Ost`) where west is W or names of columns are German, W
-    /// (`Ouest`, `Oeste`, `Ovest`) where east is E or they are of those languages. `None` where nothing tells.
+    /// The letter that an O at a longitude stands for; `None` where nothing tells.
     pub(super) fn meaning_of_o(&self, records: &Records) -> Option<char> {
         let is_of_longitude = |column: usize| {
             let role = self.columns.get(column).and_then(|column| column.role);
             role.is_some_and(|role| [CsvRole::Longitude, CsvRole::EastWest].contains(&role))
         };
-        let cells = records
-            .iter()
-            .flat_map(|(_, row)| row.iter().enumerate())
-            .filter(|(column, _)| is_of_longitude(*column));
-        let has = |letter: char| {
-            cells.clone().any(|(_, cell)| {
-                let cell = cell.to_uppercase();
-                let mut words = cell.split(|c: char| !c.is_alphabetic());
-                words.any(|word| word.chars().eq([letter]))
-            })
-        };
-        let names: Vec<String> = self.columns.iter().map(|c| c.name.to_lowercase()).collect();
-        let says = |list: &[&str]| {
-            names.iter().any(|name| {
-                let mut words = name.split(|c: char| !c.is_alphabetic());
-                words.any(|word| list.contains(&word))
-            })
-        };
-        match (has('W'), has('E')) {
-            (true, false) => return Some('E'),
-            (false, true) => return Some('W'),
-            (true, true) => return None,
-            (false, false) => {}
-        }
-        match (says(&EAST_IS_O), says(&WEST_IS_O)) {
-            (true, false) => Some('E'),
-            (false, true) => Some('W'),
-            _ => None,
-        }
+        let cells = records.iter().flat_map(|(_, row)| row.iter().enumerate());
+        let cells = cells.filter(|(column, _)| is_of_longitude(*column));
+        let names = self.columns.iter().map(|column| column.name.as_str());
+        meaning_of_o(names, &cells.map(|(_, cell)| cell))
     }
 }

@@ -191,6 +191,40 @@ fn places_over_the_equator_and_greenwich_keep_the_hemispheres_of_their_rows() {
 }
 
 #[test]
+fn places_with_an_o_of_german_or_french_tables_are_east_or_west() {
+    for (names, side) in [
+        ("Zeit [s];Breite;Länge;Höhe [m]", 1.0),
+        ("time [s];latitude;longitude;hauteur [m]", -1.0),
+    ] {
+        let row = |row: u32| {
+            let [latitude, longitude] = [338_500 + row, 184_200 + row];
+            format!(
+                "{row};33,{:04} S;18,{:04} O;120\n",
+                latitude % 10_000,
+                longitude % 10_000
+            )
+        };
+        let rows: String = (0..100).map(row).collect();
+        let table = format!("{names}\n{rows}");
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).expect(names)];
+        let folder = flight_of_tables(&files, &maps).expect(names);
+        let frame = folder.flight.frame_on_globe.unwrap();
+        let states = folder.flight.truth.unwrap().states;
+        assert_eq!(states.len(), 100);
+        let last = states[99].position;
+        let ground = pilotage_base::frames::GroundPoint::new(last.x, last.y);
+        let found = frame.geodetic_from_ground(&ground);
+        let [latitude, longitude] = [found.latitude, found.longitude].map(f64::to_degrees);
+        assert!((latitude + 33.8599).abs() < 1e-6, "{names} {latitude}");
+        assert!(
+            (longitude - side * 18.4299).abs() < 1e-6,
+            "{names} {longitude}"
+        );
+    }
+}
+
+#[test]
 fn a_mode_or_a_level_called_by_a_letter_turns_no_place() {
     for (names, of) in [
         ("altitude,mode", "S"),

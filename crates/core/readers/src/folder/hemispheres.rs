@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::table_text::{ANGLES, TableText, bare_cells, places, some_lines, spliced, words};
 use crate::cells::Separator;
+use pilotage_base::angle_text::hemisphere;
 use pilotage_base::text::by_count;
 
 /// Letters that leave an angle as it is, and those that turn it.
@@ -42,12 +43,12 @@ struct Letters {
     pair: [u8; 2],
 }
 
-/// The letter of a cell, alone or as the first of its word, as a capital.
+/// The letter of a cell, alone or by its word in English, German, French, Spanish or Italian, as a capital.
 pub(crate) fn letter(cell: &str) -> Option<u8> {
-    let words = ["north", "south", "east", "west"];
-    let is_word = cell.len() == 1 || words.iter().any(|word| word.eq_ignore_ascii_case(cell));
-    let first = cell.bytes().next()?.to_ascii_uppercase();
-    (is_word && PAIRS.concat().contains(&first)).then_some(first)
+    let word = cell.to_lowercase();
+    // Alone in its cell it is no zone of a time.
+    let letter = hemisphere(&word).or((word == "est").then_some('E'))?;
+    u8::try_from(letter).ok()
 }
 
 /// The number of a cell.
@@ -267,7 +268,14 @@ mod tests {
             found.contains("\r\n3,47.3,N,-0.03,E,1\r\n")
                 && found.contains("\r\n9,47.9,N,0.09,E,1\r\n")
         );
-        assert!(signed(&rows("west", "East", "NS")).contains("3,47.3,N,-0.03,E,1\r\n"));
+        for (west, east) in [
+            ("west", "East"),
+            ("Ouest", "Est"),
+            ("West", "Ost"),
+            ("ovest", "est"),
+        ] {
+            assert!(signed(&rows(west, east, "NS")).contains("3,47.3,N,-0.03,E,1\r\n"));
+        }
         for same in [
             rows("W", "W", "NS"),
             rows("E", "E", "NS"),

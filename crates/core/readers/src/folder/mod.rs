@@ -11,6 +11,7 @@ mod fit_rows;
 mod guess;
 pub(crate) mod hemispheres;
 mod layout;
+mod letter_o;
 mod log;
 mod pictures;
 mod position;

@@ -7,6 +7,7 @@ use super::clock::{count_midnights, count_on};
 use super::error::FolderError;
 use super::hemispheres::with_signs;
 use super::layout::{TimeColumn, ValueColumn};
+use super::letter_o::with_east_or_west;
 use super::row_lines::{rows_of_one_line, without_mark};
 use super::standing::{SpreadRows, are_mostly, are_of_several, is_coarse, spread};
 use crate::cells::Moment;
@@ -90,7 +91,9 @@ impl CsvTable {
         is_read: &[bool],
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
-        let (bytes, told) = with_signs(with_degrees(rows_of_one_line(bytes)));
+        let (bytes, mut told) = with_east_or_west(with_degrees(rows_of_one_line(bytes)));
+        let (bytes, of_signs) = with_signs(bytes);
+        told.extend(of_signs);
         let skipped = shape.skipped_lines + shape.head_lines();
         let mut rest = bytes.as_ref();
         for _ in 0..skipped {
@@ -485,7 +488,7 @@ fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
 
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
-    with_signs(with_degrees(rows_of_one_line(bytes))).0
+    with_signs(with_east_or_west(with_degrees(rows_of_one_line(bytes))).0).0
 }
 
 /// The same lines with a comma for every run of blanks between two cells.

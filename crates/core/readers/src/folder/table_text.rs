@@ -9,7 +9,14 @@ use crate::cells::{Separator, TableShape};
 const HEAD: usize = 1 << 16;
 /// Words of names of latitudes and of longitudes.
 pub(super) const ANGLES: [&[&str]; 2] = [
-    &["lat", "latitude", "latitud", "breite", "breitengrad"],
+    &[
+        "lat",
+        "latitude",
+        "latitud",
+        "breite",
+        "breitengrad",
+        "latitudine",
+    ],
     &[
         "lon",
         "lng",
@@ -18,6 +25,9 @@ pub(super) const ANGLES: [&[&str]; 2] = [
         "longitud",
         "laenge",
         "länge",
+        "laengengrad",
+        "längengrad",
+        "longitudine",
     ],
 ];
 
