@@ -48,7 +48,7 @@ impl FollowedRoad {
         }
     }
 
-    fn of(road: RoadOnGround) -> Self {
+    fn of(road: &RoadOnGround) -> Self {
         let told = (road.gap > UNTOLD).then(|| {
             format!(
                 "The line is straight for {:.0} m of it, where no road is seen.",
@@ -72,7 +72,7 @@ struct FollowRoad {
 impl FollowRoad {
     fn answer(&self, road: Result<RoadOnGround, NotFollowed>) -> FollowedRoad {
         let straight = |why: NotFollowed| FollowedRoad::straight(self.order.ends, &why.to_string());
-        road.map_or_else(straight, FollowedRoad::of)
+        road.map_or_else(straight, |road| FollowedRoad::of(&road))
     }
 }
 

@@ -191,7 +191,8 @@ fn photos_that_say_nothing_are_a_flight_and_are_laid_by_the_table_dropped_with_t
         let jpeg = encode_jpeg(&seen, 92).expect("memory");
         files.push(file(&format!("{number}.jpg"), jpeg));
         let [latitude, longitude] = middle(corner);
-        table += &format!("{number}.JPG {longitude:.8} {latitude:.8} 590 0 0 0\n");
+        let row = format!("{number}.JPG {longitude:.8} {latitude:.8} 590 0 0 0\n");
+        table.push_str(&row);
     }
     files.push(file("geo.txt", table.into_bytes()));
     rig.host().opened.push(files);

@@ -1,4 +1,4 @@
-//! Places of pictures as a table beside them tells them: those of Pix4D, Metashape, `OpenDroneMap`, senseFly, Wingtra, Emlid,
+//! Places of pictures as a table beside them tells them: those of `Pix4D`, Metashape, `OpenDroneMap`, `senseFly`, Wingtra, Emlid,
 //! the marks of DJI (`.MRK`), and anybody's with a column of their names.
 
 use super::ExchangeError;
