@@ -8,7 +8,7 @@ use super::request::{PredictionError, PredictionRequest};
 use super::{day_factor, winds};
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::NavigatorSettings;
-use pilotage_navigator::navigator::{vehicle, visit_model};
+use pilotage_navigator::navigator::visit_model;
 use pilotage_simulate::simulate::{FlightPlan, TrueFlight};
 
 /// Probability with which the true error lies inside the corridor.
@@ -159,8 +159,10 @@ impl PredictionRequest<'_> {
             .flat_map(|part| std::iter::repeat_n(part.weight, per_wind))
             .collect();
         let recognised = self.recognised(&weights);
+        // A height that the filter estimates is predicted as read.
         let settings = NavigatorSettings {
             sensors: self.settings.sensors.with_biases_within(),
+            estimates_height: false,
             ..self.settings.clone()
         };
         let request = PredictionRequest {
@@ -192,13 +194,7 @@ impl PredictionRequest<'_> {
                     covariance: part.covariance * self.wind_deviation.powi(2),
                 }),
             };
-            // A height that the filter estimates is predicted as read.
-            let way = if settings.estimates_height {
-                vehicle(&settings).visit(propagation)?
-            } else {
-                visit_model(&settings, propagation)?
-            };
-            ways.push((part.weight, way));
+            ways.push((part.weight, visit_model(&settings, propagation)?));
         }
         let samples = samples(&flight, brought_together(&self.track(&flight), &ways))?;
         Ok(RoutePrediction {

@@ -142,6 +142,7 @@ mod tests {
     use nalgebra::{Matrix4, Vector4};
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
     use crate::{
@@ -149,8 +150,10 @@ mod tests {
         random_route,
     };
     use pilotage_base::frames::GroundRect;
+    use pilotage_base::statistics::chi_square_quantile;
+    use pilotage_flight::Flight;
     use pilotage_mission::settings::NavigatorSettings;
-    use pilotage_navigator::navigator::Navigator;
+    use pilotage_navigator::navigator::{Navigator, Run};
     use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
     use pilotage_vision::landmark::Landmark;
 
@@ -195,6 +198,100 @@ mod tests {
         )
     }
 
+    /// The frames of a flight navigated by landmarks that are seen as `seen_from` has it.
+    fn navigated(
+        flight: &Arc<Flight>,
+        seen_from: &Flight,
+        planned: &[PlannedLandmark],
+        settings: &NavigatorSettings,
+        seed: u64,
+    ) -> Run {
+        let landmarks = planned.iter().map(|planned| planned.landmark.clone());
+        let landmarks: Vec<Landmark> = landmarks.collect();
+        let (detector, mut frames) = as_stated(seen_from, planned, seed).unwrap();
+        let detector = Box::new(detector);
+        let mut navigator =
+            Navigator::with_detector(Arc::clone(flight), &landmarks, detector, settings)
+                .unwrap()
+                .sparing();
+        let mut run = navigator.run_head();
+        while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+            let mut step = step.unwrap();
+            if step.frame.is_some() {
+                step.sigma.before_correct = None;
+                run.steps.push(step);
+            }
+        }
+        assert!(frames.asked() < flight.frames.len());
+        run
+    }
+
+    /// The flight as a camera sees it over a map that is off by `deviation` per axis, otherwise every 2 km.
+    fn over_wrong_map(flight: &Flight, deviation: f64, seed: u64) -> Flight {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut error = || -> Vector2<f64> {
+            Vector2::from_fn(|_, _| {
+                let unit: f64 = StandardNormal.sample(&mut random);
+                deviation * unit
+            })
+        };
+        let mut off = error();
+        let mut seen = flight.clone();
+        let mut last = None;
+        for frame in &mut seen.truth.as_mut().unwrap().frames {
+            let at = frame.position.xy();
+            let way = last.map_or(0.0, |last| (at - last).norm());
+            let left = (-way / 2000.0).exp();
+            off = off * left + error() * (1.0 - left * left).sqrt();
+            last = Some(at);
+            frame.position.x += off.x;
+            frame.position.y += off.y;
+        }
+        seen
+    }
+
+    #[test]
+    fn landmarks_of_a_map_that_is_off_make_nobody_surer_than_the_map() {
+        const FLIGHTS: u64 = 60;
+        let scenario = Scenario::named("distinct-1000ft-extended").unwrap();
+        let mut settings = scenario.navigator(&SensorSpec::default());
+        settings.detector.map_deviation = 3.0;
+        let plan = scenario.plan(&Overrides::default());
+        let landmarks = scenario.mission().landmarks.into_iter();
+        let planned: Vec<PlannedLandmark> = landmarks
+            .map(|landmark| PlannedLandmark {
+                landmark,
+                detection: DetectionStatistics::everywhere(expected(1.0, 0.9)),
+            })
+            .collect();
+        let (mut nees, mut held) = (0.0, 0);
+        for seed in 0..FLIGHTS {
+            let flight = plan.in_wind_of(seed, settings.start.wind);
+            let flight = Arc::new(flight.simulate(seed).unwrap());
+            let seen_from = over_wrong_map(&flight, 3.0, seed);
+            let run = navigated(&flight, &seen_from, &planned, &settings, seed);
+            let mut of_flight = 0.0;
+            let mut count = 0.0;
+            for step in run.steps.iter().skip(run.steps.len() / 4) {
+                let truth = flight.truth.as_ref().unwrap().position(step.time).unwrap();
+                let off = step.after.position().to_vector() - truth.xy().coords;
+                let root = step.after.position_covariance().cholesky().unwrap();
+                of_flight += root.solve(&off).dot(&off);
+                count += 1.0;
+            }
+            nees += of_flight / count;
+            held += usize::from(of_flight / count < 5.99);
+        }
+        let mean = nees / FLIGHTS as f64;
+        println!("NEES {mean:.2} of 2, {held} of {FLIGHTS} flights below 5.99");
+        // 95 % of the means of as many honest flights, each of which is one sample at least.
+        let end = |probability: f64| {
+            chi_square_quantile(probability, 2.0 * FLIGHTS as f64) / FLIGHTS as f64
+        };
+        let honest = end(0.025)..end(0.975);
+        assert!(honest.contains(&mean), "{mean}, not within {honest:?}");
+    }
+
     /// Flights, whose seeds begin with a thousand times `seed`, beside what is predicted for them.
     fn flown(
         (plan, landmarks): (FlightPlan, Vec<Landmark>),
@@ -223,21 +320,7 @@ mod tests {
         let fly = |seed: u64| {
             let flight = plan.in_wind_of(seed, settings.start.wind);
             let flight = Arc::new(flight.simulate(seed).unwrap());
-            let (detector, mut frames) = as_stated(&flight, &planned, seed).unwrap();
-            let detector = Box::new(detector);
-            let mut navigator =
-                Navigator::with_detector(Arc::clone(&flight), &landmarks, detector, settings)
-                    .unwrap()
-                    .sparing();
-            let mut run = navigator.run_head();
-            while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
-                let mut step = step.unwrap();
-                if step.frame.is_some() {
-                    step.sigma.before_correct = None;
-                    run.steps.push(step);
-                }
-            }
-            assert!(frames.asked() < flight.frames.len());
+            let run = navigated(&flight, &flight, &planned, settings, seed);
             compare(&flight, &run, &prediction)
         };
         let flights: Vec<_> = (0..flights).map(|i| fly(1000 * seed + i)).collect();

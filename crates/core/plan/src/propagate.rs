@@ -17,7 +17,7 @@ use pilotage_estimation::vehicle::{
 };
 use pilotage_flight::TruthState;
 use pilotage_mission::settings::SensorNoise;
-use pilotage_navigator::navigator::{LooksAtLandmarks, frame_noise};
+use pilotage_navigator::navigator::{LooksAtLandmarks, PlaceOnMap, frame_noise};
 use pilotage_simulate::simulate::{TrueFlight, Turbulence};
 
 /// Longest step of the covariance, seconds.
@@ -181,6 +181,7 @@ impl Propagation<'_> {
         (number, draws): (usize, &mut PredictionDraws),
     ) -> Result<(Vec<f64>, f64), PredictionError> {
         let request = self.request;
+        let of_map = request.settings.detector.map_deviation;
         let frame = PlannedFrame {
             camera: &request.plan.camera,
             pose: Pose {
@@ -189,7 +190,9 @@ impl Propagation<'_> {
             },
             ground_down: request.plan.ground_down,
             noise,
-            map_deviation: request.settings.detector.map_deviation,
+            map_deviation: PlaceOnMap::of(request.settings, of_map)
+                .beyond_state()
+                .sqrt(),
         };
         let looks: Vec<PlannedLook> = request
             .landmarks

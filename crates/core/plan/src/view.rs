@@ -105,7 +105,7 @@ pub(super) struct PlannedFrame<'a> {
     pub ground_down: f64,
     /// Noise that is new in each frame.
     pub noise: &'a SensorNoise,
-    /// Error of the map at a landmark, standard deviation per axis, metres.
+    /// Error of the map at a landmark that is no state of the filter, standard deviation per axis, metres.
     pub map_deviation: f64,
 }
 

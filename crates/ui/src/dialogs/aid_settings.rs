@@ -27,8 +27,9 @@ pub(super) fn aids(
         ui,
         tokens,
         "Height and the bias of the barometer become states of the filter, for the aids that measure them. Landmarks are \
-         still looked for from the height in the log. The map's error is no state then, but taken to be another in every \
-         picture: over a long time the position becomes surer than the map.",
+         still looked for from the height in the log. Where the biases of airspeed and heading are estimated as well, the map's \
+         error is no state then, but taken to be another in every picture: over a long time the position becomes surer \
+         than the map.",
     );
     let chosen = &mut settings.aids;
     for info in AidInfo::ALL {

@@ -38,6 +38,18 @@ macro_rules! tilted_over_map {
     }};
 }
 
+/// The same of a height and the error of a map: the largest models have the height alone.
+macro_rules! at_height_over_map {
+    (8, $model:expr, $height:ident, $error:ident, $visitor:ident) => {
+        $visitor.visit::<10, _>(AtHeight::<8>::new($model, $height))
+    };
+    ($size:tt, $model:expr, $height:ident, $error:ident, $visitor:ident) => {{
+        let high = AtHeight::<$size>::new($model, $height);
+        let over_map = OverMap::<{ $size + 2 }>::new(Arc::new(high), $error);
+        $visitor.visit::<{ $size + 4 }, _>(over_map)
+    }};
+}
+
 macro_rules! registry {
     ($($(#[$doc:meta])* $variant:ident = $key:literal, $label:literal, $size:tt, $kept:literal;)+) => {
         /// A vehicle model with its settings, by name in files and messages.
@@ -82,6 +94,21 @@ macro_rules! registry {
                 match self {
                     $(Self::$variant(model) => {
                         visitor.visit::<{ $size + 2 }, _>(AtHeight::<$size>::new(Arc::new(*model), height))
+                    })+
+                }
+            }
+
+            /// The same with the height as a state over a map that is off, four states larger; the largest models go without
+            /// the error of the map.
+            pub fn visit_at_height_over_map<V: VehicleVisitor>(
+                &self,
+                height: HeightModel,
+                error: MapError,
+                visitor: V,
+            ) -> V::Output {
+                match self {
+                    $(Self::$variant(model) => {
+                        at_height_over_map!($size, Arc::new(*model), height, error, visitor)
                     })+
                 }
             }

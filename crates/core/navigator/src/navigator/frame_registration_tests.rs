@@ -70,7 +70,7 @@ fn found(settings: &NavigatorSettings, place: &Registration) -> FoundPlaces {
 #[test]
 fn of_a_place_is_taken_no_more_of_the_maps_error_than_was_told_with_it() {
     // Standard deviation of the map of frames, whether roads (2 m by themselves) are an aid as well, whether the height
-    // is a state, which leaves none for the map: variance of the noise per axis.
+    // is a state, which leaves none for the map in the largest model: variance of the noise per axis.
     for (of_frames, by_roads, at_height, variance) in [
         (0.0, false, false, 0.25),
         (0.0, true, false, 0.25),
@@ -90,6 +90,11 @@ fn of_a_place_is_taken_no_more_of_the_maps_error_than_was_told_with_it() {
                 .into_iter()
                 .collect(),
             estimates_height: at_height,
+            vehicle: if at_height {
+                VehicleChoice::AirplaneFull
+            } else {
+                VehicleChoice::default()
+            },
             ..NavigatorSettings::default()
         };
         let filter = engine(&settings, GroundPoint::default(), 3.0).unwrap();
@@ -218,6 +223,7 @@ fn an_error_of_the_map_that_is_no_state_widens_the_search() {
             ..FollowSettings::default()
         }),
         estimates_height: true,
+        vehicle: VehicleChoice::AirplaneFull,
         ..NavigatorSettings::default()
     };
     let filter = engine(&settings, GroundPoint::default(), 4.0).unwrap();

@@ -55,6 +55,7 @@ pub use looks::{LooksAtLandmarks, lasting_variances, weakened};
 pub use passed_over::passed_over;
 pub use pilotage_vision::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError};
+pub use place_on_map::PlaceOnMap;
 pub use registration_refusal::RegistrationRefusal;
 pub use report::{
     CandidateReport, Control, FrameReport, JointReport, Outcome, RegisteredPlace,

@@ -61,6 +61,7 @@ mod tests {
     use nalgebra::{DMatrix, DVector};
 
     use super::*;
+    use pilotage_mission::settings::VehicleChoice;
     use pilotage_vision::registration::FollowSettings;
 
     #[test]
@@ -93,8 +94,9 @@ mod tests {
             place.covariance_with(&believed, 2),
             Matrix2::new(0.3, 0.0, 0.0, 0.0)
         );
-        // A height that is estimated leaves no room for the map: its error stands beside the position.
+        // A height that is estimated leaves no room for the map in the largest model: its error stands beside the position.
         settings.estimates_height = true;
+        settings.vehicle = VehicleChoice::AirplaneFull;
         let place = PlaceOnMap::of(&settings, 3.0);
         assert_eq!(place.mean(&believed), Vector2::new(10.0, 20.0));
         let off = place.covariance(&believed) - Matrix2::identity() * 18.0;

@@ -7,6 +7,7 @@ use super::engine::{Engine, MeasurementModel, frame_noise};
 use super::expected::{Anchor, AppearanceModel, appearances};
 use super::looks::{LooksAtLandmarks, lasting_variances, weakened};
 use super::observation::{GaussianInnovation, Observation, PicturePart};
+use super::place_on_map::PlaceOnMap;
 use super::region::{may_be_in_view, reach};
 use super::tilt::ByTilt;
 use super::{CandidateReport, Outcome};
@@ -192,10 +193,11 @@ impl<'a> Associator<'a> {
     }
 
     /// Least covariance of what is measured of `landmark`: what no detector knows of its own error, and the map's
-    /// error.
+    /// error as far as it is no state of the filter, which all landmarks would have in common.
     fn floor(&self, landmark: &Landmark, anchor: &Anchor) -> Matrix4<f64> {
         let own = self.unknown(landmark, anchor, self.settings.sensors.pixel);
-        own + anchor.in_pixels(self.settings.detector.map_deviation)
+        let on_map = PlaceOnMap::of(self.settings, self.settings.detector.map_deviation);
+        own + anchor.in_pixels(on_map.beyond_state().sqrt())
     }
 
     /// Covariance of what no detector knows of its own error: that in the picture, `pixel`, and that on the ground.

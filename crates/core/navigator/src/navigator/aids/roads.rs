@@ -39,8 +39,9 @@ pub const INFO: AidInfo = AidInfo {
     label: "Roads",
     description: "Roads seen in the picture, laid on the roads of the mission. They tell the place across a road and the \
                   heading, and along it only where it bends or another one meets it; what they do not tell is left to \
-                  dead reckoning. No number of looks is surer than the map of the roads, except where the height is \
-                  estimated: there the map's error is taken to be another in every look. Pictures of which a pixel shows \
+                  dead reckoning. No number of looks is surer than the map of the roads, except where the height and \
+                  the biases of airspeed and heading are estimated as well: there the map's error is taken to be another in \
+                  every look. Pictures of which a pixel shows \
                   more than 1.2 m are not looked at.",
     channels: &[],
     components: &[("best known", "m"), ("second", "m"), ("third", "m")],

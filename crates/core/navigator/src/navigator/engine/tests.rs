@@ -4,9 +4,18 @@ use nalgebra::{DMatrix, DVector, Vector2, dvector};
 
 use super::*;
 use crate::navigator::Estimate;
+use crate::navigator::place_on_map::PlaceOnMap;
 use pilotage_base::frames::Attitude;
+use pilotage_base::statistics::chi_square_quantile;
+use pilotage_estimation::filter::{Consistency, ConsistencySummary};
 use pilotage_estimation::vehicle::ControlInput;
-use pilotage_mission::settings::{EstimatorChoice, EstimatorSettings, VehicleChoice};
+use pilotage_mission::settings::{
+    ChosenAid, EstimatorChoice, EstimatorSettings, SensorNoise, VehicleChoice,
+};
+use pilotage_vision::registration::FollowSettings;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 
 fn settings(choice: EstimatorChoice, vehicle: VehicleChoice) -> NavigatorSettings {
     let mut settings = NavigatorSettings {
@@ -203,4 +212,110 @@ fn a_random_walk_whose_noise_nobody_stated_is_not_believed_to_stand_still() {
     // 6 m/√s for two seconds, on both axes.
     let grown = spread(walk.as_ref()) - before;
     assert!((grown - 2.0 * 36.0 * 2.0).abs() < 1e-6, "{grown}");
+}
+
+/// Flights of a minute over a map of which nobody knows how it is off, by a place on it every second and, where the height
+/// is a state, a range to the ground: the NEES of the position at their ends.
+fn over_a_map(settings: &NavigatorSettings, of_map: f64, seeds: u64) -> ConsistencySummary {
+    let dt = 0.5_f64;
+    let mut nees = Consistency::default();
+    for seed in 0..seeds {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+        let mut engine = engine(settings, GroundPoint::default(), 3.0).unwrap();
+        let mut place = [3.0 * normal(), 3.0 * normal()];
+        let wind_deviation = settings.start.wind;
+        let mut wind = [wind_deviation * normal(), wind_deviation * normal()];
+        let mut map = [of_map * normal(), of_map * normal()];
+        let mut height = 120.0 + normal();
+        for k in 0..120_i32 {
+            let heading = 0.05 * f64::from(k);
+            let input = ControlInput::new(18.0, Attitude::level(heading));
+            engine.predict(&input, dt).unwrap();
+            let airspeed = 18.0 + settings.process.airspeed * normal() / dt.sqrt();
+            let across = 18.0 * settings.process.heading * normal() / dt.sqrt();
+            let (sin, cos) = heading.sin_cos();
+            let moved = [
+                (airspeed * cos - across * sin + wind[0]) * dt,
+                (airspeed * sin + across * cos + wind[1]) * dt,
+            ];
+            let left = (-moved[0].hypot(moved[1]) / 2000.0).exp();
+            for axis in 0..2 {
+                place[axis] += moved[axis];
+                wind[axis] += settings.process.wind * dt.sqrt() * normal();
+                map[axis] = left * map[axis] + of_map * (1.0 - left * left).sqrt() * normal();
+            }
+            height += dt.sqrt() * normal();
+            if k % 2 == 0 {
+                continue;
+            }
+            if settings.estimates_height {
+                let model = MeasurementModel::of_pose(|k| Some(dvector![k.height?]));
+                let noise = DMatrix::from_element(1, 1, 0.25);
+                let range = dvector![height + 0.5 * normal()];
+                engine.correct(&model, &noise, &range).unwrap();
+            }
+            let model =
+                MeasurementModel::of_pose(|k| Some(dvector![k.on_map.north, k.on_map.east]));
+            let of_frame = 1.0 + PlaceOnMap::of(settings, of_map).beyond_state();
+            let noise = DMatrix::from_diagonal_element(2, 2, of_frame);
+            let seen = dvector![place[0] + map[0] + normal(), place[1] + map[1] + normal()];
+            engine.correct(&model, &noise, &seen).unwrap();
+        }
+        let state = engine.state();
+        let off = state.position().to_vector() - nalgebra::Vector2::from(place);
+        let root = state.position_covariance().cholesky().unwrap();
+        nees.push(root.solve(&off).dot(&off), 2);
+    }
+    nees.summary().unwrap()
+}
+
+#[test]
+fn no_number_of_places_on_a_map_is_surer_than_the_map_whoever_tells_how_far_it_is_off() {
+    const FLIGHTS: u64 = 800;
+    const STUDIES: f64 = 12.0;
+    // The sum over all flights has a chi-square distribution with two degrees of freedom each. All studies are to hold at once
+    // in 95 of 100 tests.
+    let end =
+        |probability: f64| chi_square_quantile(probability, 2.0 * FLIGHTS as f64) / FLIGHTS as f64;
+    let honest = end(0.025 / STUDIES)..end(1.0 - 0.025 / STUDIES);
+    let mut usual = settings(EstimatorChoice::Unscented, VehicleChoice::AirplaneWind);
+    usual.process.airspeed = 0.5;
+    // Air without gusts, and readings without biases.
+    usual.process.gust = 0.0;
+    usual.process.gust_per_wind = 0.0;
+    usual.process.airspeed_bias = 0.0;
+    usual.process.heading_bias = 0.0;
+    usual.sensors = SensorNoise {
+        tilt_bias: 0.0,
+        ..usual.sensors
+    };
+    let mut by_frames = usual.clone();
+    by_frames.whole_frames = Some(FollowSettings {
+        map_deviation: 3.0,
+        ..FollowSettings::default()
+    });
+    let mut by_landmarks = usual.clone();
+    by_landmarks.detector.map_deviation = 3.0;
+    let mut by_roads = usual.clone();
+    by_roads.aids = vec![ChosenAid::usual("roads").with("map", 3.0)];
+    for (who, told) in [
+        ("frames", by_frames),
+        ("landmarks", by_landmarks),
+        ("roads", by_roads),
+    ] {
+        for at_height in [false, true] {
+            for choice in [EstimatorChoice::Unscented, EstimatorChoice::Extended] {
+                let mut settings = told.clone();
+                settings.estimates_height = at_height;
+                settings.estimator.choice = choice;
+                let mean = over_a_map(&settings, 3.0, FLIGHTS).mean;
+                println!("{who}, height {at_height}, {choice:?}: {mean}");
+                assert!(
+                    honest.contains(&mean),
+                    "{who}, height {at_height}, {choice:?}: {mean}, not within {honest:?}"
+                );
+            }
+        }
+    }
 }

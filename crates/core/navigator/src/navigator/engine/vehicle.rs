@@ -7,14 +7,20 @@ use pilotage_estimation::vehicle::{
 };
 use pilotage_mission::settings::{MAP_ERRORS, NavigatorSettings, SensorNoise, VehicleChoice};
 
-/// Works with the model that the filter of a run has: that of the vehicle, with its height where that is asked for, else with
-/// the error of the map where that is known to be off, and with the biases of a tilt that is.
+/// Works with the model that the filter of a run has: that of the vehicle, with its height where that is asked for, with the
+/// error of the map where that is known to be off, and with the biases of a tilt that is where the height is none. The
+/// largest model has a pair of these at most: the first of them.
 pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) -> V::Output {
     let vehicle = vehicle(settings);
+    let error = stated_map_error(settings);
     if settings.estimates_height {
-        return vehicle.visit_at_height(HeightModel::default(), visitor);
+        let height = HeightModel::default();
+        return match error {
+            Some(error) => vehicle.visit_at_height_over_map(height, error, visitor),
+            None => vehicle.visit_at_height(height, visitor),
+        };
     }
-    match (map_error(settings), tilt_bias(settings)) {
+    match (error, tilt_bias(settings)) {
         (Some(error), Some(bias)) => vehicle.visit_tilted_over_map(bias, error, visitor),
         (Some(error), None) => vehicle.visit_over_map(error, visitor),
         (None, Some(bias)) => vehicle.visit_tilted(bias, visitor),
@@ -29,8 +35,8 @@ fn tilt_bias(settings: &NavigatorSettings) -> Option<TiltBias> {
     let frames = settings
         .whole_frames
         .map_or(0.0, |frames| frames.tilt_deviation);
-    let counts =
-        map_error(settings).is_none() || deviation > frames && settings.whole_frames.is_some();
+    let counts = stated_map_error(settings).is_none()
+        || deviation > frames && settings.whole_frames.is_some();
     (deviation > 0.0 && counts && !settings.estimates_height).then_some(TiltBias { deviation })
 }
 
@@ -56,12 +62,20 @@ pub fn frame_noise(settings: &NavigatorSettings) -> SensorNoise {
 
 /// Model of the map's error, if that error is a state of the filter.
 pub fn map_error(settings: &NavigatorSettings) -> Option<MapError> {
+    let is_state = place_in_state(settings, StateComponent::MapErrorNorth).is_some();
+    stated_map_error(settings).filter(|_| is_state)
+}
+
+/// Model of the error of a map that is known to be off.
+fn stated_map_error(settings: &NavigatorSettings) -> Option<MapError> {
     let of_frames = settings.whole_frames.map(|frames| frames.map_deviation);
     let of_aids = MAP_ERRORS
         .iter()
         .filter_map(|error| error.of(&settings.aids));
-    let deviation = of_aids.chain(of_frames).fold(0.0, f64::max);
-    (deviation > 0.0 && !settings.estimates_height).then(|| MapError {
+    // That of landmarks is told with their detector.
+    let of_looks = of_aids.chain(of_frames);
+    let deviation = of_looks.fold(settings.detector.map_deviation, f64::max);
+    (deviation > 0.0).then(|| MapError {
         speed: settings.process.cruise.airspeed,
         ..MapError::of(deviation)
     })
