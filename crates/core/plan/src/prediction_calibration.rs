@@ -139,7 +139,7 @@ impl Verification {
 mod tests {
     use std::sync::Arc;
 
-    use nalgebra::{Matrix4, Vector4};
+    use nalgebra::{Matrix4, Point2, Vector4};
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
@@ -237,10 +237,10 @@ mod tests {
         };
         let mut off = error();
         let mut seen = flight.clone();
-        let mut last = None;
+        let mut last: Option<Point2<f64>> = None;
         for frame in &mut seen.truth.as_mut().unwrap().frames {
             let at = frame.position.xy();
-            let way = last.map_or(0.0, |last| (at - last).norm());
+            let way = last.map_or(0.0_f64, |last| (at - last).norm());
             let left = (-way / 2000.0).exp();
             off = off * left + error() * (1.0 - left * left).sqrt();
             last = Some(at);
