@@ -308,7 +308,7 @@ fn outlook(text: &mut String, scene: &BriefScene<'_>) {
         );
     }
     text.push_str("</table>");
-    let landmarks: Vec<Landmark> = scene.landmarks.iter().map(|l| l.landmark.clone()).collect();
+    let landmarks: Vec<&Landmark> = scene.landmarks.iter().map(|l| &l.landmark).collect();
     if let Some(worst) = outlook
         .sentences(scene.limit, &landmarks, scene.units)
         .first()

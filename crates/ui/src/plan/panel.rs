@@ -8,7 +8,7 @@ use super::chart::ChartScene;
 use super::flown::home_of;
 use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
-use super::planner::Planner;
+use super::planner::{Planner, by_name};
 use super::profile::{self, ProfileScene};
 use super::rehearsal::FlownErrors;
 use super::route_tab::route_tab;
@@ -87,7 +87,7 @@ impl Planner {
             self.nothing_yet(ui, context);
             return;
         };
-        let landmarks: Vec<_> = shown.order.landmarks.iter().map(|(l, _)| l).collect();
+        let landmarks = by_name(&shown.order, &documents.mission);
         let no_fly: Vec<_> = (self.incursions.reached.iter())
             .map(|it| it.between)
             .collect();

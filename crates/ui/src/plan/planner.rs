@@ -307,3 +307,14 @@ pub fn made_for(
     let places: Vec<GroundPoint> = way_points.iter().map(|w| w.position).collect();
     circumstances(planner, documents, altitude, &places)
 }
+
+/// The landmarks of a prediction as they stand in the mission, in its order: what was asked knows what is looked for, and not
+/// what it is called.
+pub fn by_name<'a>(order: &'a PredictionOrder, mission: &'a Mission) -> Vec<&'a Landmark> {
+    let named = |asked: &'a Landmark| {
+        let mut all = mission.landmarks.iter();
+        all.find(|it| it.id == asked.id).unwrap_or(asked)
+    };
+    let asked = order.landmarks.iter().map(|(landmark, _)| landmark);
+    asked.map(named).collect()
+}

@@ -146,7 +146,7 @@ impl Planner {
         if let Some(outlook) = shown.and_then(|s| PredictionFigures::of(&s.prediction)) {
             let landmarks = &documents.mission.landmarks;
             let limit = self.preferences.limit;
-            parts.extend(outlook.sentences(limit, landmarks, units));
+            parts.extend(outlook.sentences(limit, &landmarks.iter().collect::<Vec<_>>(), units));
             parts.extend(self.remedies.sentences(units));
         }
         parts.join(" ")

@@ -14,7 +14,7 @@ use super::flown::{flight_wind, pictures_words, way_back};
 use super::legs::{legs, time_text, totals};
 use super::pattern_card::pattern_card;
 use super::patterns::Pattern;
-use super::planner::{Planner, made_for};
+use super::planner::{Planner, by_name, made_for};
 use super::purpose::Purpose;
 use super::relief::ground;
 use super::verdict::LandmarkVerdict;
@@ -278,12 +278,7 @@ fn prediction(
     };
     if let Some(outlook) = PredictionFigures::of(&shown.prediction) {
         let limit = planner.preferences.limit;
-        let landmarks: Vec<_> = shown
-            .order
-            .landmarks
-            .iter()
-            .map(|(l, _)| l.clone())
-            .collect();
+        let landmarks = by_name(&shown.order, &documents.mission);
         for (index, sentence) in outlook
             .sentences(limit, &landmarks, context.units)
             .into_iter()

@@ -55,7 +55,7 @@ impl PredictionFigures {
     }
 
     /// In sentences.
-    pub fn sentences(&self, limit: f64, landmarks: &[Landmark], units: Units) -> Vec<String> {
+    pub fn sentences(&self, limit: f64, landmarks: &[&Landmark], units: Units) -> Vec<String> {
         let far = |metres: f64| distance_text(metres, units);
         let short = |metres: f64| units.short(metres);
         let near = nearest(landmarks, &self.place, units);
@@ -124,11 +124,11 @@ pub fn place_words(place: &GroundPoint, frame: Option<&LocalFrame>) -> String {
 }
 
 /// Position of a place relative to the landmark nearest to it, in words.
-fn nearest(landmarks: &[Landmark], place: &GroundPoint, units: Units) -> String {
-    let away = |l: &Landmark| l.reference.distance(place);
+fn nearest(landmarks: &[&Landmark], place: &GroundPoint, units: Units) -> String {
+    let away = |l: &&&Landmark| l.reference.distance(place);
     let near = landmarks.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
     near.map_or_else(String::new, |l| {
         let (factor, unit) = units.length();
-        format!(", {:.0} {unit} from {}", away(l) * factor, l.name)
+        format!(", {:.0} {unit} from {}", away(&l) * factor, l.name)
     })
 }

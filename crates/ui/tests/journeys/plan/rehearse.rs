@@ -90,6 +90,13 @@ fn what_a_landmark_is_called_and_what_is_noted_of_it_changes_no_prediction_and_n
     let planned = later.filter(|(_, job)| matches!(job, Job::Predict(_) | Job::Rehearse(_)));
     assert_eq!(planned.count(), 0);
     assert_eq!(rig.state()["plan"]["rehearsal"]["current"], true);
+    // And what was predicted is told by the names of the mission.
+    rig.harness.get_by_label("Route").click();
+    rig.frames(3);
+    rig.harness.get_by(|n| {
+        n.value()
+            .is_some_and(|v| v.starts_with("Largest error: ") && v.ends_with(" from Chapel."))
+    });
 }
 
 #[test]
