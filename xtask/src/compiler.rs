@@ -169,6 +169,8 @@ fn of_compiler(arguments: &[String]) -> Option<(String, Vec<String>)> {
             "--error-format=",
             "--json=",
             "--diagnostic-width=",
+            // Of paths that the page would tell, which a pass over it does not write: rustdoc calls it unstable.
+            "--remap-path-prefix=",
         ];
         if !ours.iter().any(|start| argument.starts_with(start)) {
             options.push(argument.clone());
@@ -227,7 +229,7 @@ mod tests {
 
     #[test]
     fn passes_are_told_what_the_compiler_is_told_but_where_and_how_to_write() {
-        let line = "rustc --crate-name pilotage --edition=2024 crates/cli/src/main.rs --error-format=json --crate-type bin --emit=dep-info,link -C opt-level=1 --out-dir target/deps --extern a=liba.rlib";
+        let line = "rustc --crate-name pilotage --edition=2024 crates/cli/src/main.rs --error-format=json --crate-type bin --emit=dep-info,link -C opt-level=1 --out-dir target/deps --extern a=liba.rlib --remap-path-prefix=/index=";
         let (name, options) = of_compiler(&words(line)).unwrap();
         assert_eq!(name, "pilotage");
         assert_eq!(
