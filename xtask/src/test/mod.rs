@@ -33,7 +33,6 @@ use native::{Extent, Packages};
 pub use native::{format_all, store_first_seconds};
 use program::CheckProgram;
 use programs::Outcomes;
-use python::PackageTests;
 use table::Table;
 
 /// Choice of the checks that are run, and of the packages that they are run on.
@@ -72,13 +71,11 @@ struct Ran {
     oracles: Option<Outcomes>,
     /// Whether the demo was flown.
     demo: bool,
-    /// The tests of the package for Python, if they ran.
-    package: Option<PackageTests>,
 }
 
 impl Ran {
-    /// Runs the native tests. Those of a full run ask other people's programs; the demo is flown for the journeys, and the
-    /// package for Python tested, beside them: none keeps more than one core busy.
+    /// Runs the native tests. Those of a full run ask other people's programs, and the demo is flown for the journeys
+    /// beside them: neither keeps more than one core busy.
     fn tests(
         &mut self,
         packages: &Packages,
@@ -98,11 +95,7 @@ impl Ran {
             python: python.as_deref(),
             beside: flies.then_some(&demo),
         };
-        let has_package = is_full && packages.hold(extension::PACKAGE);
-        let package = has_package.then(|| std::thread::spawn(python::test));
-        let outcomes = native::tests(packages, &extent);
-        self.package = package.and_then(|begun| begun.join().ok());
-        let outcomes = outcomes?;
+        let outcomes = native::tests(packages, &extent)?;
         let tested = outcomes.judge(|one| python.is_none() || !one.asks_oracles());
         self.demo = flies && outcomes.has_passed(|one| !one.arguments.is_empty());
         self.oracles = python.is_some().then_some(outcomes);
@@ -110,11 +103,6 @@ impl Ran {
             return tested;
         }
         tested.and(native::examples(packages))
-    }
-
-    /// Judges the tests of the package for Python, or runs them.
-    fn package(&mut self) -> Result<(), Failure> {
-        self.package.take().unwrap_or_else(python::test).judge()
     }
 
     /// Judges the tests that ask other people's programs, or runs them.
@@ -170,7 +158,7 @@ pub fn run(choice: &CheckChoice) -> Result<ExitCode, Failure> {
             table.check("oracles", || ran.oracles());
         }
         if packages.hold(extension::PACKAGE) {
-            table.check("package for Python", || ran.package());
+            table.check("package for Python", python::check);
         }
     }
     if !choice.quick && page_is_reached {

@@ -10,7 +10,7 @@ use crate::{
     built,
     failure::Failure,
     places,
-    process::{capture, program, succeed},
+    process::{program, run},
 };
 
 /// Name of the extension within the package, whichever Python loads it.
@@ -20,30 +20,8 @@ const EXTENSION: &str = if cfg!(windows) {
     "_native.abi3.so"
 };
 
-/// Outcome of the own tests of the package.
-#[derive(Debug)]
-pub struct PackageTests {
-    said: String,
-    outcome: Result<(), Failure>,
-}
-
-impl PackageTests {
-    /// Prints what they said, and fails if they did.
-    pub fn judge(self) -> Result<(), Failure> {
-        print!("{}", self.said);
-        self.outcome
-    }
-}
-
-/// Builds the package, puts it together under cargo's folder and runs its tests, which ask other people's programs too and
-/// keep one core busy.
-pub fn test() -> PackageTests {
-    let mut said = String::new();
-    let outcome = test_saying(&mut said);
-    PackageTests { said, outcome }
-}
-
-fn test_saying(said: &mut String) -> Result<(), Failure> {
+/// Builds the package, puts it together under cargo's folder and runs its tests, which ask other people's programs too.
+pub fn check() -> Result<(), Failure> {
     let library = extension::build()?;
     let terminal = terminal()?;
     let sources = places::root().join("python/pilotage");
@@ -59,12 +37,10 @@ fn test_saying(said: &mut String) -> Result<(), Failure> {
     pytest.env("PYTHONPATH", &package);
     pytest.env("PYTHONDONTWRITEBYTECODE", "1");
     pytest.env("PILOTAGE_PROGRAM", terminal);
-    let advice = "the oracles' Python has what tests/oracles/requirements.txt says";
-    let output = capture(&mut pytest, advice)?;
-    for text in [&output.stdout, &output.stderr] {
-        *said += &String::from_utf8_lossy(text);
-    }
-    succeed(&pytest, output.status)
+    run(
+        &mut pytest,
+        "the oracles' Python has what tests/oracles/requirements.txt says",
+    )
 }
 
 /// The program of the terminal, beside which the tests hold the package, as the native tests have it.
