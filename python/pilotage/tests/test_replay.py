@@ -154,21 +154,20 @@ def many_worlds():
 )
 def test_whatever_takes_long_can_be_interrupted(work):
     # As Ctrl+C does, or a notebook that interrupts its kernel.
-    begun = time.monotonic()
+    begun, spent = time.monotonic(), time.process_time()
     whole = work()
-    takes = time.monotonic() - begun
+    takes, costs = time.monotonic() - begun, time.process_time() - spent
     assert takes > 0.3, "too short to be interrupted"
     timer = threading.Timer(takes / 4, _thread.interrupt_main)
     timer.start()
-    begun = time.monotonic()
+    begun, spent = time.monotonic(), time.process_time()
     with pytest.raises(KeyboardInterrupt):
         work()
-    assert time.monotonic() - begun < takes / 2 + 0.1
+    assert time.monotonic() - begun < 0.75 * takes + 0.1
     timer.join()
-    # Work that was told to stop is no longer under way.
-    begun = time.process_time()
-    time.sleep(0.5)
-    assert work is correlated or time.process_time() - begun < 0.3
+    # Work that was told to stop is not done behind it, however busy the machine is.
+    time.sleep(takes)
+    assert work is correlated or time.process_time() - spent < 0.75 * costs
     assert len(work()) == len(whole)
 
 
