@@ -303,12 +303,12 @@ mod tests {
     use nalgebra::{Matrix2, Point2};
 
     use super::super::engine::engine;
+    use super::super::flight_for_tests::flight_of;
     use super::*;
     use pilotage_base::frames::{Attitude, GroundPoint, GroundRect};
     use pilotage_estimation::vehicle::{ControlInput, Multirotor};
-    use pilotage_flight::{Channel, StartFix};
+    use pilotage_flight::Channel;
     use pilotage_mission::settings::VehicleChoice;
-    use pilotage_raster::camera::CameraModel;
 
     fn readings(degrees: &[f64]) -> Vec<CompassReading> {
         let reading = |by: &f64| CompassReading {
@@ -336,23 +336,10 @@ mod tests {
             values: vec![value; times.len()],
             times: times.clone(),
         };
-        Flight {
-            name: "straight on".to_owned(),
-            frame_on_globe: None,
-            camera: CameraModel::pinhole(64, 48, 1.0),
-            ground_down: 0.0,
-            channels: vec![
-                channel(ChannelName::Airspeed, 18.0),
-                channel(ChannelName::Heading, 30_f64.to_radians()),
-            ],
-            frames: Vec::new(),
-            start: StartFix {
-                time: 0.0,
-                position: GroundPoint::default(),
-                standard_deviation: 1.0,
-            },
-            truth: None,
-        }
+        flight_of(vec![
+            channel(ChannelName::Airspeed, 18.0),
+            channel(ChannelName::Heading, 30_f64.to_radians()),
+        ])
     }
 
     #[test]

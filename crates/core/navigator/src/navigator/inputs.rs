@@ -412,10 +412,8 @@ fn usual(values: &[f64]) -> Option<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::flight_for_tests::flight_of;
     use super::*;
-    use pilotage_base::frames::GroundPoint;
-    use pilotage_flight::StartFix;
-    use pilotage_raster::camera::CameraModel;
 
     /// An airplane on a racetrack for 90 s, read ten times a second.
     fn flight() -> Flight {
@@ -426,24 +424,11 @@ mod tests {
             values: times.iter().map(|t| value(*t)).collect(),
         };
         let turning = |t: f64| wrap_pi(0.06 * t + 0.8 * (0.2 * t).sin());
-        Flight {
-            name: "racetrack".to_owned(),
-            frame_on_globe: None,
-            camera: CameraModel::pinhole(64, 48, 1.0),
-            ground_down: 0.0,
-            channels: vec![
-                channel(ChannelName::Airspeed, |t| 18.0 + (1.7 * t).sin()),
-                channel(ChannelName::Heading, turning),
-                channel(ChannelName::HeightAboveGround, |t| 120.0 + t.sin()),
-            ],
-            frames: Vec::new(),
-            start: StartFix {
-                time: 0.0,
-                position: GroundPoint::default(),
-                standard_deviation: 1.0,
-            },
-            truth: None,
-        }
+        flight_of(vec![
+            channel(ChannelName::Airspeed, |t| 18.0 + (1.7 * t).sin()),
+            channel(ChannelName::Heading, turning),
+            channel(ChannelName::HeightAboveGround, |t| 120.0 + t.sin()),
+        ])
     }
 
     fn channel(flight: &mut Flight, name: ChannelName) -> &mut Channel {

@@ -9,6 +9,8 @@ mod expected;
 mod explain;
 mod finding;
 mod fixes;
+#[cfg(test)]
+pub(crate) mod flight_for_tests;
 mod flown;
 mod found_places;
 mod frame_registration;

@@ -95,9 +95,9 @@ fn median(mut values: [f64; COUNT]) -> f64 {
 mod tests {
     use std::f64::consts::PI;
 
+    use super::super::flight_for_tests::flight_of;
     use super::*;
-    use pilotage_base::frames::GroundPoint;
-    use pilotage_flight::{Channel, ChannelName, StartFix};
+    use pilotage_flight::{Channel, ChannelName};
 
     #[test]
     fn readings_that_err_are_evened_and_steady_turns_are_left() {
@@ -109,28 +109,15 @@ mod tests {
         };
         // A heading that turns through south, a roll that errs by a fifth of a radian in one reading, a pitch that begins to
         // rise.
-        let flight = Flight {
-            name: "turning".to_owned(),
-            frame_on_globe: None,
-            camera: CameraModel::pinhole(64, 48, 1.0),
-            ground_down: 0.0,
-            channels: vec![
-                channel(ChannelName::Heading, &|time| {
-                    wrap_pi(PI + 0.5 * (time - 1.0))
-                }),
-                channel(ChannelName::Pitch, &|time| (time - 1.0).max(0.0)),
-                channel(ChannelName::Roll, &|time| {
-                    if (time - 1.0).abs() < 1e-9 { 0.2 } else { 0.0 }
-                }),
-            ],
-            frames: Vec::new(),
-            start: StartFix {
-                time: 0.0,
-                position: GroundPoint::default(),
-                standard_deviation: 1.0,
-            },
-            truth: None,
-        };
+        let flight = flight_of(vec![
+            channel(ChannelName::Heading, &|time| {
+                wrap_pi(PI + 0.5 * (time - 1.0))
+            }),
+            channel(ChannelName::Pitch, &|time| (time - 1.0).max(0.0)),
+            channel(ChannelName::Roll, &|time| {
+                if (time - 1.0).abs() < 1e-9 { 0.2 } else { 0.0 }
+            }),
+        ]);
         let now = evened(&flight, 1.0);
         assert!(wrap_pi(now.heading - PI).abs() < 1e-9, "{}", now.heading);
         assert!(now.roll.abs() < 1e-9, "{}", now.roll);

@@ -56,30 +56,16 @@ fn of_aid(aid: &AidInfo, flight: &Flight, run: &Run) -> Vec<Finding> {
 mod tests {
     use nalgebra::Point3;
 
+    use super::super::flight_for_tests::flight_of;
     use super::super::step_for_tests::step_at;
     use super::super::{FrameReport, StepReport};
     use super::*;
-    use pilotage_base::frames::{Attitude, GroundPoint, Pose};
-    use pilotage_flight::StartFix;
+    use pilotage_base::frames::{Attitude, Pose};
     use pilotage_mission::settings::{ChosenAid, NavigatorSettings};
-    use pilotage_raster::camera::CameraModel;
 
     #[test]
     fn pictures_from_too_high_up_are_told_once_for_each_aid_that_passes_them_over() {
-        let flight = Flight {
-            name: "a climb".to_owned(),
-            frame_on_globe: None,
-            camera: CameraModel::pinhole(64, 48, 1.0),
-            ground_down: 0.0,
-            channels: Vec::new(),
-            frames: Vec::new(),
-            start: StartFix {
-                time: 0.0,
-                position: GroundPoint::default(),
-                standard_deviation: 1.0,
-            },
-            truth: None,
-        };
+        let flight = flight_of(Vec::new());
         let step = |number: u32, height: f64| StepReport {
             frame: Some(FrameReport {
                 index: 0,

@@ -178,29 +178,14 @@ impl ContenderTally {
 #[cfg(test)]
 mod tests {
     use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings, VehicleChoice};
-    use pilotage_raster::camera::CameraModel;
 
     use super::*;
+    use crate::navigator::flight_for_tests::flight_of;
     use crate::navigator::step_for_tests::step_at;
-    use pilotage_base::frames::GroundPoint;
-    use pilotage_flight::StartFix;
 
     #[test]
     fn a_run_that_cannot_be_smoothed_is_counted_as_that_and_the_others_are_judged() {
-        let flight = Flight {
-            name: "test".to_owned(),
-            frame_on_globe: None,
-            camera: CameraModel::pinhole(64, 48, 1.0),
-            ground_down: 0.0,
-            channels: Vec::new(),
-            frames: Vec::new(),
-            start: StartFix {
-                time: 0.0,
-                position: GroundPoint::default(),
-                standard_deviation: 1.0,
-            },
-            truth: None,
-        };
+        let flight = flight_of(Vec::new());
         let contender = Contender {
             estimator: EstimatorChoice::Unscented,
             vehicle: VehicleChoice::RandomWalk,
