@@ -119,10 +119,10 @@ pub fn placed_pictures(
         let cells = records.iter().filter_map(|(_, row)| row.get(column));
         cells.filter(|cell| is_picture(cell)).count()
     };
-    let columns = 0..table.columns.len();
+    let counted = (0..table.columns.len()).map(|column| (count(column), column));
     // Of equals the first.
-    let most = columns.max_by_key(|column| (count(*column), usize::MAX - column));
-    let Some(of_names) = most.filter(|column| count(*column) > 0) else {
+    let most = counted.max_by_key(|(count, column)| (*count, usize::MAX - column));
+    let Some((_, of_names)) = most.filter(|(count, _)| *count > 0) else {
         return Ok(TabledPictures::default());
     };
     let plain: Vec<(String, f64)> = (table.columns.iter())

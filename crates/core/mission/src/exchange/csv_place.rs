@@ -89,10 +89,10 @@ pub(super) fn is_place(cell: &str) -> bool {
     let plain = plain(cell);
     // Whole numbers without a mark may be anything.
     let is_marked = plain.contains(['.', '°']) || says_order(&plain);
+    let is_text = || place_of_text(&plain).is_ok();
     // One angle with a decimal comma is no pair.
-    let is_pair = angle_of_text(&plain).is_none() && numbers(&plain).is_some();
-    is_marked && (is_pair || place_of_text(&plain).is_ok() && angle_of_text(&plain).is_none())
-        || place_of_text(&plain).is_ok() && (plain.contains('+') || is_square(&plain))
+    is_marked && angle_of_text(&plain).is_none() && (numbers(&plain).is_some() || is_text())
+        || (plain.contains('+') || is_square(&plain)) && is_text()
 }
 
 /// Whether a cell has the form of a reference of MGRS: zone, three letters, an even number of digits.

@@ -49,13 +49,16 @@ fn is_newest_first(text: &str, shape: &TableShape) -> bool {
     let rows: Vec<Vec<Cow<'_, str>>> = rows.map(|line| shape.separator.cells(line)).collect();
     let mut is_any = false;
     for (column, name) in names.iter().enumerate() {
-        let cells = rows.iter().filter_map(|row| row.get(column));
-        let times: Vec<f64> = cells.filter_map(|cell| seconds(cell, shape)).collect();
         let are_dates = || {
             let cell = rows.first().and_then(|row| row.get(column));
             cell.is_some_and(|cell| shape.number(cell).is_none())
         };
-        if times.len() < FEWEST || !(is_called_time(name) || are_dates()) {
+        if !(is_called_time(name) || are_dates()) {
+            continue;
+        }
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        let times: Vec<f64> = cells.filter_map(|cell| seconds(cell, shape)).collect();
+        if times.len() < FEWEST {
             continue;
         }
         let count = |is: fn(f64, f64) -> bool| times.windows(2).filter(|w| is(w[0], w[1])).count();

@@ -26,17 +26,20 @@ type Changes = Vec<(Range<usize>, Vec<u8>)>;
 
 fn changes(table: &TableText) -> (Changes, Vec<String>) {
     let separator = table.separator;
+    let is_longitude = |at: &usize| {
+        let mut words = words(&table.titles[*at]).into_iter();
+        words.any(|word| ANGLES[1].contains(&word.as_str()))
+    };
+    let longitudes: Vec<usize> = (0..table.titles.len()).filter(is_longitude).collect();
+    if longitudes.is_empty() {
+        return (Vec::new(), Vec::new());
+    }
     let some: Vec<Vec<&str>> = some_lines(table.rows)
         .into_iter()
         .map(|line| bare_cells(line, separator))
         .collect();
     let cells = |at: usize| some.iter().filter_map(move |row| row.get(at).copied());
     let has_o = |at: &usize| cells(*at).any(|cell| with_letter_for_o(cell, 'E').is_some());
-    let is_longitude = |at: &usize| {
-        let mut words = words(&table.titles[*at]).into_iter();
-        words.any(|word| ANGLES[1].contains(&word.as_str()))
-    };
-    let longitudes: Vec<usize> = (0..table.titles.len()).filter(is_longitude).collect();
     let is_letter = |cell: &str| {
         cell.is_empty()
             || cell.eq_ignore_ascii_case("o")
@@ -49,7 +52,7 @@ fn changes(table: &TableText) -> (Changes, Vec<String>) {
     let of_longitude = |at: &usize| longitudes.contains(at) || are_letters(at);
     let all: Vec<usize> = (0..table.titles.len()).filter(of_longitude).collect();
     let with_o: Vec<usize> = all.iter().copied().filter(has_o).collect();
-    if longitudes.is_empty() || with_o.is_empty() {
+    if with_o.is_empty() {
         return (Vec::new(), Vec::new());
     }
     let names = table.titles.iter().map(AsRef::as_ref);
