@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::FrameSource as _;
 use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, photo_pose};
-use pilotage_core::frames::{Attitude, GroundPoint, GroundRect};
+use pilotage_core::frames::{Attitude, GroundPoint};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Control;
 use pilotage_core::registration::{HeadingPrior, limit_of};
@@ -15,7 +15,7 @@ use pilotage_core::roads::lost::{
 use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Urgency, WorkerRole, keys_of};
-use super::photo_picture::decode_photo;
+use super::photos::look_anywhere;
 use super::road_view::road_view;
 use super::{Advance, FlightSource, JobEvent, RoadsLostOrder, RunningJob, WorkerState};
 
@@ -158,23 +158,7 @@ impl FindAmongRoadsOrder {
             SoughtPicture::Frame(flight, index) => self.in_frame(worker, flight, *index),
             SoughtPicture::Photo(key, name, search) => {
                 let files = worker.files(key)?;
-                let source = files.source(name);
-                let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
-                // Its place does not count, and with that not the ground around.
-                let search = PhotoSearch {
-                    at: None,
-                    ..*search
-                };
-                let anywhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-                let photo = PhotoLook::read(
-                    source.as_ref(),
-                    decode_photo,
-                    None,
-                    &search,
-                    None,
-                    &anywhere,
-                )?;
-                in_photo(&photo, &search)
+                in_photo(&look_anywhere(files.as_ref(), name, search)?, search)
             }
         }
     }

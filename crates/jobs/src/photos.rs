@@ -123,18 +123,27 @@ impl RunningJob for LayPhotos {
     }
 }
 
-/// A laid photo on the map in its own colours.
-pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String> {
-    let name = &order.name;
+/// A photo among files, read for what it shows: its place does not count, and with that not the ground around.
+pub(super) fn look_anywhere(
+    files: &dyn FileSet,
+    name: &str,
+    search: &PhotoSearch,
+) -> Result<PhotoLook, String> {
     let source = files.source(name);
     let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
     let nowhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-    // It was laid: where it was looked for does not matter any more.
     let search = PhotoSearch {
         at: None,
-        ..order.search
+        ..*search
     };
-    let photo = PhotoLook::read(source.as_ref(), decode_photo, None, &search, None, &nowhere)?;
+    PhotoLook::read(source.as_ref(), decode_photo, None, &search, None, &nowhere)
+}
+
+/// A laid photo on the map in its own colours.
+pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String> {
+    let name = &order.name;
+    // It was laid: where it was looked for does not matter any more.
+    let photo = look_anywhere(files, name, &order.search)?;
     let laid = &order.laid;
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);
