@@ -46,9 +46,11 @@ fn packed(name: &str, bytes: &[u8]) -> Result<Option<(String, Vec<u8>)>, Exchang
     };
     let mut found = Vec::new();
     for inner in files.names() {
+        if file_of(&inner).starts_with('.') {
+            continue;
+        }
         let content = files.read(&inner).unwrap_or_default();
-        let is_hidden = file_of(&inner).starts_with('.');
-        if !is_hidden && !is_mission(&inner, &content) && Format::is_expected_in(&inner, &content) {
+        if !is_mission(&inner, &content) && Format::is_expected_in(&inner, &content) {
             found.push((inner, content));
         }
     }
