@@ -51,13 +51,9 @@ impl StudyFolder {
             runs_per_shard: per_shard,
             plan: plan.clone(),
         };
-        let open = if only_looks {
-            Shards::look
-        } else {
-            Shards::open
-        };
+        let count = runs.div_ceil(per_shard);
         Ok(Self {
-            shards: open(root, runs.div_ceil(per_shard), "parquet", planned)?,
+            shards: Shards::open(root, count, "parquet", planned, only_looks)?,
             runs,
             per_shard,
         })

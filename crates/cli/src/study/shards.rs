@@ -51,14 +51,24 @@ pub struct Shards {
 }
 
 impl Shards {
-    /// The shards of a folder that all who work on it began with the same `of`; begun if it is not there.
+    /// The shards of a folder that all who work on it began with the same `of`; begun if it is not there, unless it is only
+    /// looked at: then nothing is written, and a folder that is not there has no shards.
     ///
     /// # Errors
     /// A folder that was begun with something else, in words.
-    pub fn open<T>(root: &Path, count: u64, ending: &'static str, of: T) -> Result<Self, String>
+    pub fn open<T>(
+        root: &Path,
+        count: u64,
+        ending: &'static str,
+        of: T,
+        only_looks: bool,
+    ) -> Result<Self, String>
     where
         T: Clone + PartialEq + Serialize + DeserializeOwned,
     {
+        if only_looks {
+            return Self::look(root, count, ending, of);
+        }
         let shards = root.join("shards");
         fs::create_dir_all(&shards).map_err(|why| format!("{}: {why}", shards.display()))?;
         let looked = Self::look(root, count, ending, of)?;
@@ -69,11 +79,7 @@ impl Shards {
         Ok(looked)
     }
 
-    /// As [`Self::open`], but nothing is written: a folder that is not there has no shards.
-    ///
-    /// # Errors
-    /// A folder that was begun with something else, in words.
-    pub fn look<T>(root: &Path, count: u64, ending: &'static str, of: T) -> Result<Self, String>
+    fn look<T>(root: &Path, count: u64, ending: &'static str, of: T) -> Result<Self, String>
     where
         T: Clone + PartialEq + Serialize + DeserializeOwned,
     {

@@ -76,12 +76,8 @@ fn carry_out(arguments: &Arguments, plan: &MapWorkPlan) -> CommandResult {
         plan: plan.without_places(),
         files: files_of(work.as_ref(), &root)?,
     };
-    let open = if arguments.only_looks() {
-        Shards::look
-    } else {
-        Shards::open
-    };
-    let shards = open(&root, work.pieces(), "piece", planned)?;
+    let only_looks = arguments.only_looks();
+    let shards = Shards::open(&root, work.pieces(), "piece", planned, only_looks)?;
     if arguments.describe {
         let is_complete = shards.are_all_there();
         return Ok(shards.describe(&plan.name, work.pieces(), 1, is_complete)?);
