@@ -6,7 +6,7 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::roads::files::write_roads;
 use pilotage_core::roads::{RoadLine, course_length};
 use pilotage_core::simulate::{Scenario, world_origin};
-use pilotage_jobs::{FollowRoadOrder, FollowedRoad, JobEvent, MapSource};
+use pilotage_jobs::{FollowRoadOrder, FollowedRoad, JobEvent, MapSource, WorkerState};
 
 use super::source::class;
 use crate::CommandResult;
@@ -14,7 +14,7 @@ use crate::files::write_whole;
 use crate::maps::{MAP_CACHE, open_map};
 use crate::notes::told;
 use crate::numbers::lat_lon;
-use crate::workers::{self, Lent};
+use crate::workers::{Lent, do_here};
 
 /// Arguments of `pilotage roads trace`.
 #[derive(clap::Args)]
@@ -44,6 +44,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         return Err("--at: a road has two places at least; give each of them by an --at".into());
     }
     let (source, lent, frame) = map(&arguments.map)?;
+    // One for all legs: the world is laid out, and the map opened, once.
+    let mut worker = lent.worker();
     let (mut course, mut widths) = (Vec::new(), Vec::new());
     for place in &arguments.places {
         let place = frame.ground_from_geodetic(&lat_lon(place, "--at")?);
@@ -56,7 +58,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             ends: [before, place],
             is_free: [course.len() == 1, true],
         };
-        let road = followed(order, &lent)?;
+        let road = followed(order, &mut worker)?;
         let (length, leg) = (course_length(&road.course), widths.len() + 1);
         let width = road.width.map(|width| format!(", {width:.1} m wide"));
         println!(
@@ -110,9 +112,9 @@ fn map(name: &str) -> Result<(MapSource, Lent, LocalFrame), Box<dyn std::error::
     Ok((source, lent, frame))
 }
 
-fn followed(order: FollowRoadOrder, lent: &Lent) -> Result<FollowedRoad, String> {
+fn followed(order: FollowRoadOrder, worker: &mut WorkerState) -> Result<FollowedRoad, String> {
     let mut road = None;
-    workers::run(vec![order], lent, &mut |_, event| {
+    do_here(order, worker, &mut |event| {
         match event {
             JobEvent::Figures(_) => road = Some(event.read_figures()?),
             JobEvent::Failed(why) => return Err(why),
