@@ -71,6 +71,11 @@ impl StudyMeasure {
         self.at_most.is_some() || self.of.is_share()
     }
 
+    /// Unit of its number; none of a share.
+    pub fn unit(&self) -> &'static str {
+        if self.is_share() { "" } else { self.of.unit() }
+    }
+
     /// Smallest and largest number that there can be.
     pub(crate) fn range(&self) -> [f64; 2] {
         let is_part = self.is_share() || self.of == MeasureKind::Inside;

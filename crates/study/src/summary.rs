@@ -227,30 +227,25 @@ impl<'a> StudyTally<'a> {
         let stop = plan.stop.as_ref().filter(|_| !self.is_enough)?;
         let index = plan.measure.iter().position(|m| m.name() == stop.measure)?;
         let tallies = self.cells.iter().map(|cell| &cell.measures[index]);
-        let mut widest: Option<(u64, &MeasureTally)> = None;
+        let mut widest: Option<(u64, &MeasureTally, f64)> = None;
         for (cell, tally) in (0..).zip(tallies) {
-            if widest.is_none_or(|(_, most)| tally.half_width() > most.half_width()) {
-                widest = Some((cell, tally));
+            let half = tally.half_width();
+            if widest.is_none_or(|(.., most)| half > most) {
+                widest = Some((cell, tally, half));
             }
         }
-        let (cell, tally) = widest?;
+        let (cell, tally, half) = widest?;
         let cell = cell_words(plan.cross.keys().zip(self.design.cell_values(cell)));
-        let unit = if plan.measure[index].is_share() {
-            ""
-        } else {
-            plan.measure[index].of.unit()
-        };
+        let unit = plan.measure[index].unit();
         let unit = if unit.is_empty() {
             String::new()
         } else {
             format!(" {unit}")
         };
-        let why = match (tally.mean(), tally.half_width()) {
-            (None, _) => "no flight has a number of it".to_owned(),
-            (Some(_), half) if half.is_finite() => {
-                format!("its interval is ± {}{unit}", digits(half))
-            }
-            _ => "it has no interval, as its numbers are too few or all alike".to_owned(),
+        let why = match tally.mean() {
+            None => "no flight has a number of it".to_owned(),
+            Some(_) if half.is_finite() => format!("its interval is ± {}{unit}", digits(half)),
+            Some(_) => "it has no interval, as its numbers are too few or all alike".to_owned(),
         };
         Some(format!(
             "{} was to be known to ± {}{unit}{}; {why}",
@@ -273,11 +268,7 @@ impl<'a> StudyTally<'a> {
             let measures = plan.measure.iter().zip(&cell.measures).enumerate();
             let measures = measures.map(|(index, (measure, tally))| MeasureSummary {
                 name: measure.name().to_owned(),
-                unit: if measure.is_share() {
-                    String::new()
-                } else {
-                    measure.of.unit().to_owned()
-                },
+                unit: measure.unit().to_owned(),
                 is_share: measure.is_share(),
                 mean: tally.mean(),
                 ends: tally.ends(),

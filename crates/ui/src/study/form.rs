@@ -150,7 +150,7 @@ fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f
 /// The rule of a plan to stop early, in words.
 fn stop_words(stop: &StopRule, measures: &[StudyMeasure]) -> String {
     let measure = measures.iter().find(|own| own.name() == stop.measure);
-    let unit = measure.map_or("", |own| if own.is_share() { "" } else { own.of.unit() });
+    let unit = measure.map_or("", StudyMeasure::unit);
     let space = if unit.is_empty() { "" } else { " " };
     format!(
         "Ends early, once the 95 % interval of \"{}\" is no wider than {}{space}{unit}; looked at every {} draws.",
