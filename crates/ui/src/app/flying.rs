@@ -7,7 +7,6 @@ use pilotage_core::simulate::SimulationChoice;
 
 use super::App;
 use super::fly_work::{FlyJob, ShownFlight};
-use super::map_work::tell_of_map;
 use crate::documents::{Session, Staged, is_run_of};
 use crate::feature::Feature;
 use crate::host::Host;
@@ -191,7 +190,6 @@ impl App {
             }
             JobEvent::RunStarted(head) => self.begin_run(host, *head),
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
-            JobEvent::Remark(text) => tell_of_map(&text, &mut self.toasts, host),
             JobEvent::WithoutMission(why) => {
                 // Of a log without pictures nobody would expect else.
                 let flight = self.documents.flight.measured.as_ref();

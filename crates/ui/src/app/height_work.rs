@@ -2,7 +2,6 @@
 
 use pilotage_jobs::{HeightsOrder, Job, JobEvent, JobId, TerrainInfo};
 
-use super::map_work::tell_of_map;
 use crate::documents::{Documents, OpenedTerrain, TERRAIN_KEY};
 use crate::host::Host;
 use crate::job_owners::JobOwner;
@@ -26,7 +25,6 @@ impl HeightWork {
         }
         let now = host.now();
         match event {
-            JobEvent::Remark(text) => tell_of_map(&text, toasts, host),
             JobEvent::Heights(grid) => {
                 if grid.extremes().is_none() {
                     let title = "The elevation model covers nothing of what is open";

@@ -168,7 +168,6 @@ impl MapWork {
                     self.prepare(parts);
                 }
             }
-            JobEvent::Remark(text) => tell_of_map(&text, parts.toasts, parts.host),
             JobEvent::Finished | JobEvent::Cancelled => {
                 self.tiles.remove(&id);
             }
@@ -214,7 +213,6 @@ impl MapWork {
         let now = parts.host.now();
         let tiles = &mut parts.view.tiles;
         match event {
-            JobEvent::Remark(text) => tell_of_map(&text, parts.toasts, parts.host),
             JobEvent::Progress(part, words) => {
                 self.preparing = Some((id, part, words));
                 if now - self.refreshed > REFRESH {
