@@ -13,6 +13,9 @@ pub const STUDIES: FeatureId = "study";
 /// Identity of the feature that finds pictures among roads, which the sheet of photos offers.
 pub const AMONG_ROADS: FeatureId = "among_roads";
 
+/// Words by which that is offered.
+pub const FIND_AMONG_ROADS: &str = "Find this place among the roads";
+
 /// Action of a feature, which the app passes on without knowing it.
 pub trait FeatureAction: Any + Send + Sync {
     /// Whether it is the same as `other`.

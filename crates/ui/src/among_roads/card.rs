@@ -74,8 +74,10 @@ impl AmongRoads {
         if verdict == PlaceVerdict::NothingSeen {
             return;
         }
+        let origin = self.asked.as_ref().and_then(|asked| asked.origin);
+        let frame = origin.map(LocalFrame::new);
         for (number, place) in found.places.iter().enumerate() {
-            let words = row(number, place, context);
+            let words = row(number, place, frame.as_ref(), context);
             let is_chosen = self.chosen == Some(number);
             if ui.selectable_label(is_chosen, words).clicked() {
                 context
@@ -92,11 +94,12 @@ impl AmongRoads {
 }
 
 /// A place in words, with its number from 1.
-fn row(number: usize, place: &PlaceAmongRoads, context: &ViewContext<'_>) -> String {
-    let frame = context.flight.and_then(|flight| flight.frame_on_globe);
-    let origin = context.mission.origin;
-    let is_stated = origin.latitude != 0.0 || origin.longitude != 0.0;
-    let frame = frame.or(is_stated.then(|| LocalFrame::new(origin)));
+fn row(
+    number: usize,
+    place: &PlaceAmongRoads,
+    frame: Option<&LocalFrame>,
+    context: &ViewContext<'_>,
+) -> String {
     let at = if let Some(frame) = frame {
         let at = frame.geodetic_from_ground(&place.below);
         let [latitude, longitude] = [at.latitude, at.longitude].map(f64::to_degrees);

@@ -13,7 +13,7 @@ use crate::documents::Documents;
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, PictureButton,
 };
-use crate::feature_command::AMONG_ROADS;
+use crate::feature_command::{AMONG_ROADS, FIND_AMONG_ROADS};
 use crate::map::MapLayer;
 use crate::shell::CommandLack;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
@@ -28,11 +28,9 @@ const INFO: FeatureInfo = FeatureInfo {
     commands,
 };
 
-const LABEL: &str = "Find this place among the roads";
-
 fn commands() -> Vec<CommandEntry> {
     let find = Command::Feature(FeatureCommand::show(AMONG_ROADS));
-    let entry = entry(CommandGroup::View, LABEL, vec![], find);
+    let entry = entry(CommandGroup::View, FIND_AMONG_ROADS, vec![], find);
     vec![entry.also("lost where am I crossings").under(BarMenu::View)]
 }
 
@@ -56,11 +54,11 @@ impl AmongRoads {
             return;
         };
         context.take_map();
-        self.is_open = true;
         let roads = &context.documents.mission.roads;
         let is_known = (self.asked.as_ref())
             .is_some_and(|asked| asked.picture == picture && asked.roads.is_of(roads));
         if is_known && (self.job.is_some() || self.found.is_some()) {
+            self.is_open = true;
             return;
         }
         self.forget(context);
@@ -146,11 +144,11 @@ impl Feature for AmongRoads {
         let is_last = event.is_last();
         match event {
             JobEvent::Progress(share, words) => self.at_work = (share, words),
-            JobEvent::Figures(_) => match event.read_figures() {
+            JobEvent::Figures(_) => match event.read_figures::<FoundAmongRoads>() {
                 Ok(found) => {
+                    let verdict = found.verdict();
                     self.found = Some(found);
-                    let verdict = self.found.as_ref().map(FoundAmongRoads::verdict);
-                    if matches!(verdict, Some(PlaceVerdict::Found | PlaceVerdict::Alike(_))) {
+                    if matches!(verdict, PlaceVerdict::Found | PlaceVerdict::Alike(_)) {
                         self.choose(0, context);
                     }
                 }
@@ -185,9 +183,7 @@ impl Feature for AmongRoads {
         let measured = documents.flight.measured.as_ref();
         self.has_picture = photo.is_some() || measured.is_some_and(|it| !it.frames.is_empty());
         let Some(asked) = &self.asked else {
-            if self.job.is_some() || self.found.is_some() {
-                self.forget(context);
-            }
+            self.forget(context);
             return;
         };
         let (is_other, are_others) = match (&asked.picture, photo) {
@@ -237,7 +233,7 @@ impl Feature for AmongRoads {
     fn picture_button(&self) -> Option<PictureButton> {
         self.has_roads.then(|| PictureButton {
             icon: Icon::Road,
-            label: LABEL,
+            label: FIND_AMONG_ROADS,
             command: Command::Feature(FeatureCommand::show(AMONG_ROADS)),
         })
     }

@@ -171,7 +171,6 @@ impl Feature for PhotosFeature {
             photos: &self.state,
             has_map: documents.map.is_real() && frame.is_some(),
             are_of_another_map: self.state.are_of_another_map(&documents.map.source),
-            has_roads: !documents.mission.roads.is_empty(),
             frame,
         };
         photos_sheet(ui, context, &scene);

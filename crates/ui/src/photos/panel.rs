@@ -8,7 +8,7 @@ use super::state::PhotosState;
 use super::{chosen, list, search};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::feature_command::{AMONG_ROADS, FeatureCommand};
+use crate::feature_command::{AMONG_ROADS, FIND_AMONG_ROADS, FeatureCommand};
 use crate::shell::{at_work, counted, heading, muted, of_before, text_button, title};
 
 /// Draws the sheet.
@@ -75,8 +75,9 @@ fn begin(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
                 send(context, Do::Lay);
             }
         }
-        let words = "Find this place among the roads";
-        if count > 0 && scene.has_roads && text_button(ui, tokens, None, words, false).clicked() {
+        let has_roads = !context.mission.roads.is_empty();
+        let words = FIND_AMONG_ROADS;
+        if count > 0 && has_roads && text_button(ui, tokens, None, words, false).clicked() {
             let find = FeatureCommand::show(AMONG_ROADS);
             context.commands.push(Command::Feature(find));
         }

@@ -15,8 +15,6 @@ pub(super) struct PhotosScene<'a> {
     pub has_map: bool,
     /// Whether the photos were laid on another one than that.
     pub are_of_another_map: bool,
-    /// Whether the mission has roads.
-    pub has_roads: bool,
 }
 
 /// Asks for something about photos.
