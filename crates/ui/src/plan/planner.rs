@@ -1,5 +1,7 @@
 //! State of the Plan workspace beside the documents.
 
+use std::collections::BTreeMap;
+
 use pilotage_core::frames::{Altitude, GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::turn::turn_radius;
@@ -311,10 +313,10 @@ pub fn made_for(
 /// The landmarks of a prediction as they stand in the mission, in its order: what was asked knows what is looked for, and not
 /// what it is called.
 pub fn by_name<'a>(order: &'a PredictionOrder, mission: &'a Mission) -> Vec<&'a Landmark> {
-    let named = |asked: &'a Landmark| {
-        let mut all = mission.landmarks.iter();
-        all.find(|it| it.id == asked.id).unwrap_or(asked)
-    };
+    let all = mission.landmarks.iter().map(|it| (it.id, it));
+    let all: BTreeMap<u32, &Landmark> = all.collect();
     let asked = order.landmarks.iter().map(|(landmark, _)| landmark);
-    asked.map(named).collect()
+    asked
+        .map(|it| all.get(&it.id).copied().unwrap_or(it))
+        .collect()
 }
