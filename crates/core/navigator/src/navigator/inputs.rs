@@ -180,6 +180,7 @@ impl Inputs {
     /// Looks a flight over.
     pub(super) fn of(flight: &Flight) -> Self {
         let span = (flight.start.time, flight.span().1);
+        let stuck = NEVER_STILL.map(|parts| (parts, stuck_together(flight, parts, span)));
         let mut doubted = Vec::new();
         for name in NEEDED {
             let Some(channel) = flight.channel(name) else {
@@ -192,8 +193,8 @@ impl Inputs {
                     stretches,
                 });
             };
-            if let Some(parts) = NEVER_STILL.iter().find(|parts| parts.contains(&name)) {
-                say(SensorFault::Stuck, stuck_together(flight, parts, span));
+            if let Some((_, stretches)) = stuck.iter().find(|(parts, _)| parts.contains(&name)) {
+                say(SensorFault::Stuck, stretches.clone());
             }
             say(SensorFault::Silent, silences(channel, span));
         }

@@ -47,7 +47,7 @@ mod unused_pictures;
 
 pub use aids::{AidError, AidInfo, AidNumber};
 pub use bound::position_bound;
-pub use engine::{frame_noise, vehicle, visit_model};
+pub use engine::{frame_noise, visit_model};
 pub use estimate::Estimate;
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;

@@ -20,7 +20,7 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
             None => vehicle.visit_at_height(height, visitor),
         };
     }
-    match (error, tilt_bias(settings)) {
+    match (error, tilt_bias(settings, error.is_some())) {
         (Some(error), Some(bias)) => vehicle.visit_tilted_over_map(bias, error, visitor),
         (Some(error), None) => vehicle.visit_over_map(error, visitor),
         (None, Some(bias)) => vehicle.visit_tilted(bias, visitor),
@@ -28,16 +28,13 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
     }
 }
 
-/// Model of the biases of roll and pitch, if they are states of the filter.
-fn tilt_bias(settings: &NavigatorSettings) -> Option<TiltBias> {
+/// Model of the biases of roll and pitch, if they are states of the filter, over a map that is off or not.
+fn tilt_bias(settings: &NavigatorSettings, is_over_map: bool) -> Option<TiltBias> {
     let deviation = settings.sensors.tilt_bias;
     // A bias that is within what frames are taken to be tilted by anyway is noise where the map's error is a state.
-    let frames = settings
-        .whole_frames
-        .map_or(0.0, |frames| frames.tilt_deviation);
-    let counts = stated_map_error(settings).is_none()
-        || deviation > frames && settings.whole_frames.is_some();
-    (deviation > 0.0 && counts && !settings.estimates_height).then_some(TiltBias { deviation })
+    let frames = settings.whole_frames.as_ref();
+    let counts = !is_over_map || frames.is_some_and(|frames| deviation > frames.tilt_deviation);
+    (deviation > 0.0 && counts).then_some(TiltBias { deviation })
 }
 
 /// Index of a component in the state of the filter; `None` where it is no state.
