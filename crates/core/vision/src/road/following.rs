@@ -179,7 +179,7 @@ impl RoadFollowing {
         let traced = self.trace.map(|trace| trace.traced(is_free));
         let traced = traced.ok_or(NotFollowed::NoPicture)?;
         // Rather a road than none, by what its pixels look like.
-        if traced.on_road < 0.5 || traced.width.is_none() {
+        if !traced.is_road() {
             return Err(NotFollowed::NoRoad(traced.on_road));
         }
         let place = |[x, y]: &[f64; 2]| self.window.ground_at(*x, *y);

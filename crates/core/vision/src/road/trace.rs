@@ -35,12 +35,17 @@ pub struct TracedRoad {
     pub line: Vec<[f64; 2]>,
     /// Median width of the road, pixels; `None` where no centre line is seen.
     pub width: Option<f64>,
-    /// Length of the line, pixels.
-    pub length: f64,
     /// Share of the line that is expected to lie on a road: the mean of the probability along it.
     pub on_road: f64,
     /// Length of the longest stretch on which no road is seen, pixels.
     pub gap: f64,
+}
+
+impl TracedRoad {
+    /// Whether it is rather a road than none, by what its pixels look like.
+    pub fn is_road(&self) -> bool {
+        self.on_road >= 0.5 && self.width.is_some()
+    }
 }
 
 /// Search for the way between two places of a picture that costs least: each pixel costs less the more probable a road is
@@ -191,10 +196,8 @@ impl RoadTrace {
                 line[at] = end;
             }
         }
-        let length = line.windows(2).map(|piece| distance(piece[0], piece[1]));
         let scale = self.seen.mean_scale();
         TracedRoad {
-            length: length.sum(),
             width: width.map(|width| width / scale),
             on_road: sum / places.len().max(1) as f64,
             gap: gap(&self.body.mask, &places) / scale,
@@ -374,7 +377,9 @@ mod tests {
         }
         let width = road.width.expect("a road");
         assert!((width - 18.0).abs() < 2.0, "{width}");
-        assert!((road.length - 307.0).abs() < 12.0, "{}", road.length);
+        let pieces = road.line.windows(2);
+        let length: f64 = pieces.map(|piece| distance(piece[0], piece[1])).sum();
+        assert!((length - 307.0).abs() < 12.0, "{length}");
         let (on_road, gap) = (road.on_road, road.gap);
         assert!(
             on_road > 0.7 && (14.0..50.0).contains(&gap),

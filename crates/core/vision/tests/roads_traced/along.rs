@@ -32,7 +32,7 @@ fn leg(seen: &RoadProbability, from: [f64; 2], to: [f64; 2]) -> Option<TracedRoa
     let mut trace = RoadTrace::new(seen.clone(), from, to, 1.5 * apart + 60.0 / GSD)?;
     while trace.advance() {}
     let road = trace.traced([true, true]);
-    (road.on_road >= 0.5 && road.width.is_some()).then_some(road)
+    road.is_road().then_some(road)
 }
 
 /// Distances from the stored line, metres, of lines as they would be drawn and of the straight ones between the same clicks.
