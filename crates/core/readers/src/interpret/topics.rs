@@ -2,9 +2,7 @@
 
 use super::places::FLAT_FIX;
 use super::source::sources;
-use crate::log::{
-    Log, LogFormat, Topic, TopicSubject, first_word, is_component, subject, system_of,
-};
+use crate::log::{Log, Topic, TopicSubject, first_word, is_component, subject, system_of};
 use crate::role::{Role, RoleSource, RowReading};
 
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
@@ -78,7 +76,7 @@ fn named_topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
                 && (chosen.is_none() || topic.name.instance.map(system_of) == chosen)
         };
         let mut own: Vec<&'a Topic> = log.topics.iter().filter(is_own).collect();
-        if chosen.is_some() || log.format == LogFormat::Tlog {
+        if chosen.is_some() || log.format.meaning().has_systems {
             // Those of the autopilot before those of other components.
             let of_component = |topic: &Topic| topic.name.instance.is_some_and(is_component);
             own.sort_by_key(|topic| (topic.name.instance != chosen, of_component(topic)));

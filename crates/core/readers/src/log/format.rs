@@ -49,6 +49,7 @@ macro_rules! log_formats {
                         roles: &[],
                         triggers: &[],
                         conditions: &[],
+                        has_systems: false,
                     },
                 }
             }

@@ -8,6 +8,7 @@
 #[macro_use]
 mod format;
 
+mod ardupilot_modes;
 mod column;
 mod formats;
 mod gps_time;
@@ -16,6 +17,8 @@ mod layout;
 mod model;
 mod outline;
 mod px4_modes;
+mod px4_roles;
+mod px4_units;
 mod reader;
 mod release;
 mod report;

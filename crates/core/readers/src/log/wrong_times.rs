@@ -1,6 +1,6 @@
 //! Rows and words whose time cannot be, left out of a log that is over.
 
-use super::{Log, LogFormat, Topic};
+use super::{Log, Topic};
 use crate::times::{TimeVerdict, judge, most_told_era};
 
 /// Topics of fewer rows do not tell when the log was written.
@@ -10,13 +10,26 @@ const BEYOND: f64 = 60.0;
 /// Most topics that are named.
 const NAMED: usize = 5;
 
+/// Second zero of a log's time base.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SecondZero {
+    /// That of a clock, such as the autopilot's since it started.
+    OfClock,
+    /// The time of the first row, which sets it wrongly if its own is wrong.
+    OfFirstRow,
+}
+
 impl Log {
     /// Leaves out rows whose time lies far from those around it, and says so. Where a topic's rows have no time of
     /// their own (`is_timed`, by its place), a wrong one is that of the row before, and is moved to the log's nearest end.
     ///
     /// Words, modes and parameters keep their place in the order, at the log's nearest end. Where the first row set
-    /// second zero wrongly, times count from the first that is left.
-    pub(super) fn leave_out_wrong_times(&mut self, is_timed: impl Fn(usize) -> bool) {
+    /// second zero (`zero`) wrongly, times count from the first that is left.
+    pub(super) fn leave_out_wrong_times(
+        &mut self,
+        zero: SecondZero,
+        is_timed: impl Fn(usize) -> bool,
+    ) {
         let rows = self.topics.iter().flat_map(|topic| &topic.times);
         let era = most_told_era(rows.copied());
         let in_era = |time: f64| era.is_none_or(|(a, b)| (a..=b).contains(&time));
@@ -72,7 +85,7 @@ impl Log {
         if !left_out.is_empty() {
             self.report.remark(words(&left_out));
         }
-        if matches!(self.format, LogFormat::Tlog | LogFormat::Mcap) && first.abs() > margin {
+        if zero == SecondZero::OfFirstRow && first.abs() > margin {
             self.count_from(first);
         }
     }
@@ -197,7 +210,7 @@ fn words(left_out: &[(String, usize, f64)]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{FieldKind, FieldLayout, LogMessage, TopicName};
+    use super::super::{FieldKind, FieldLayout, LogFormat, LogMessage, TopicName};
     use super::*;
 
     fn log(topics: &[(&str, Vec<f64>)]) -> Log {
@@ -221,7 +234,7 @@ mod tests {
         let mut times = regular(50.0, 100);
         times[40] = 9e12;
         let mut log = log(&[("GPS", times)]);
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfClock, |_| true);
         let topic = log.first("GPS").unwrap();
         assert_eq!(topic.len(), 99);
         let values = topic.values("Alt").unwrap();
@@ -241,7 +254,7 @@ mod tests {
             ("parameter_update", vec![0.0]),
             ("att", regular(1.7e9, 300)),
         ]);
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfClock, |_| true);
         let (first, last) = log.span().unwrap();
         assert!(first == 1.7e9 && (last - first - 29.9).abs() < 1e-6);
         assert!(log.first("parameter_update").unwrap().is_empty());
@@ -256,7 +269,7 @@ mod tests {
             severity: None,
             text: "Throttle armed".to_owned(),
         });
-        log.leave_out_wrong_times(|place| place == 1);
+        log.leave_out_wrong_times(SecondZero::OfClock, |place| place == 1);
         assert_eq!(log.first("FMT").unwrap().times, [1.0 + 9.9; 3]);
         assert!(log.messages[0].time < 11.0 && log.report.remarks.is_empty());
     }
@@ -266,9 +279,8 @@ mod tests {
         let mut times = regular(-1.7e9, 100);
         times[0] = 0.0;
         let mut log = log(&[("HEARTBEAT", times)]);
-        log.format = LogFormat::Tlog;
         log.utc_at_zero = Some(3.4e9);
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfFirstRow, |_| true);
         assert_eq!(log.span().map(|(first, _)| first), Some(0.0));
         assert!((log.utc_at_zero.unwrap() - 1.7e9).abs() < 1.0);
     }
@@ -278,7 +290,7 @@ mod tests {
         let mut times = regular(0.0, 100);
         times.extend(regular(0.0, 300));
         let mut log = log(&[("ATT", times)]);
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfClock, |_| true);
         assert_eq!(log.first("ATT").map(Topic::len), Some(400));
         assert!(log.report.remarks.is_empty());
     }

@@ -116,4 +116,6 @@ pub struct Meaning {
     pub triggers: &'static [(&'static str, &'static str)],
     /// Fields that say of rows whether their values were measured.
     pub conditions: &'static [RowCondition],
+    /// Whether the instances of topics are the systems that send them, and components of those.
+    pub has_systems: bool,
 }

@@ -1,5 +1,6 @@
 //! Effects of rows on the log as a whole: announcements, units, parameters, words, times.
 
+use super::super::wrong_times::SecondZero;
 use super::super::{Log, Topic};
 use super::clock::{Clock, is_receiver};
 use super::format::{FORMAT, HEADER, MessageFormat};
@@ -280,7 +281,9 @@ impl DataflashContents {
         let mut standing: Vec<(usize, String)> = Vec::new();
         self.timed.sort_unstable();
         self.timed.dedup();
-        log.leave_out_wrong_times(|place| self.timed.binary_search(&place).is_ok());
+        log.leave_out_wrong_times(SecondZero::OfClock, |place| {
+            self.timed.binary_search(&place).is_ok()
+        });
         self.clock.settle(log);
         for place in &self.timed {
             let topic = &log.topics[*place];

@@ -12,7 +12,6 @@ mod clock;
 mod contents;
 mod format;
 mod letters;
-mod modes;
 mod roles;
 #[cfg(test)]
 mod tests;
@@ -23,7 +22,6 @@ mod values;
 mod words;
 
 pub use binary::{DataflashReader, begins};
-pub use modes::Vehicle;
 pub(super) use roles::MEANING;
 pub use text::{DataflashTextReader, begins as text_begins};
 

@@ -11,6 +11,7 @@ pub(in super::super) const MEANING: Meaning = Meaning {
         condition("TERR", "CHeight", "Status", [2.0; 2]),
         condition("ARSP", "Airspeed", "H", [1.0, f64::INFINITY]),
     ],
+    has_systems: false,
 };
 
 const DATAFLASH: &[RoleSource] = &[

@@ -1,7 +1,7 @@
 //! Words of the autopilot: its messages, its vehicle, its modes, its parameters.
 
+use super::super::ardupilot_modes::Vehicle;
 use super::super::{Log, LogMessage, ModeChange, Parameter};
-use super::modes::Vehicle;
 
 /// Words of a log beside its numbers, as far as it was read.
 #[derive(Clone, Debug, Default)]

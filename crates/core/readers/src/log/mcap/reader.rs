@@ -14,6 +14,7 @@ use super::record::{
 use super::search::{followed, next_sure};
 use super::stamps::count_by_stamps;
 use crate::log::stepping::{LogStep, LogSteps};
+use crate::log::wrong_times::SecondZero;
 use crate::log::{Fact, Log, Topic};
 
 const TOO_EARLY: &str = "the file ends too early";
@@ -80,7 +81,7 @@ impl LogSteps for Mcap {
         log.tell_camera_imu();
         log.modes.sort_by(|a, b| a.time.total_cmp(&b.time));
         log.messages.sort_by(|a, b| a.time.total_cmp(&b.time));
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfFirstRow, |_| true);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Fields of messages of ROS and of Foxglove that hold the roles.
 
-use super::super::ulog;
+use super::super::px4_roles;
 use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
 
 const IMU: &str = "sensor_msgs/Imu";
@@ -25,9 +25,10 @@ const ALTITUDE: &str = "mavros_msgs/Altitude";
 
 /// Meaning of the topics for a flight: PX4's messages tell more plainly what they are.
 pub(in super::super) const MEANING: Meaning = Meaning {
-    roles: &[ulog::ROLES, ROS, &GPS_FIXES, &COMMON_FIXES, DRIVERS],
-    triggers: ulog::MEANING.triggers,
-    conditions: ulog::MEANING.conditions,
+    roles: &[px4_roles::ROLES, ROS, &GPS_FIXES, &COMMON_FIXES, DRIVERS],
+    triggers: px4_roles::MEANING.triggers,
+    conditions: px4_roles::MEANING.conditions,
+    has_systems: false,
 };
 
 /// Places of the messages, for each role the best first.

@@ -5,7 +5,7 @@
 
 use crate::log::growing::FieldUnit;
 use crate::log::schema::{plain, px4_topic};
-use crate::log::{FieldKind, ValueScale, ulog};
+use crate::log::{FieldKind, ValueScale, px4_units};
 
 /// Packages whose messages follow REP 103, and the schemas of Foxglove.
 const PACKAGES: [&str; 5] = [
@@ -55,7 +55,7 @@ pub(super) fn units_of(schema: &str) -> FieldUnit {
 /// Unit of the values of a field, and what the stored number is multiplied by to have it.
 fn unit_and_scale(schema: &str, path: &str, kind: FieldKind) -> (&'static str, ValueScale) {
     if let Some(topic) = px4_topic(schema) {
-        return ulog::unit_and_scale(&topic, path, kind);
+        return px4_units::unit_and_scale(&topic, path, kind);
     }
     let schema = plain(schema);
     let is_known = PACKAGES.iter().any(|package| schema.starts_with(package));

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::stepping::{LogStep, LogSteps};
+use super::super::wrong_times::SecondZero;
 use super::super::{Log, TopicName};
 use super::dialect::{Dialect, MessageDefinition};
 use super::frame::{MavlinkFrame, NoFrame, STAMP, may_begin};
@@ -51,7 +52,7 @@ impl LogSteps for Tlog {
         }
         self.meaning.end(log);
         super::clock::count_by_messages(log);
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfFirstRow, |_| true);
         super::airspeed::mark_ground_speed(log);
     }
 }

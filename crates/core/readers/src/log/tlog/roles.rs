@@ -19,6 +19,7 @@ pub(in super::super) const MEANING: Meaning = Meaning {
         "spacing",
         [1.0, f64::INFINITY],
     )],
+    has_systems: true,
 };
 
 const TLOG: &[RoleSource] = &[

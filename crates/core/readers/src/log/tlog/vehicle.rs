@@ -1,6 +1,6 @@
 //! Who flew, with what software, and in which mode: heartbeats.
 
-use super::super::dataflash::Vehicle;
+use super::super::ardupilot_modes::Vehicle;
 use super::super::release::release;
 use super::super::{Log, ModeChange, px4_modes};
 use super::row::{PayloadRow, Sender};

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use super::super::px4_units::unit_and_scale;
 use super::super::{FieldKind, FieldLayout};
-use super::units::unit_and_scale;
 
 /// Longest name, in bytes.
 const LONGEST_NAME: usize = 255;

@@ -11,18 +11,15 @@ mod definition;
 mod header;
 mod message;
 mod reader;
-mod roles;
 mod rows;
 mod search;
 #[cfg(test)]
 mod tests;
-mod units;
 mod value;
 
 use header::MAGIC;
 
-pub(super) use roles::{MEANING, ROLES};
-pub(super) use units::unit_and_scale;
+pub(super) use super::px4_roles::MEANING;
 
 use super::stepping::Stepping;
 use super::{LogFormat, LogFormatInfo};

@@ -2,6 +2,7 @@
 
 use super::super::release::release;
 use super::super::stepping::{LogStep, LogSteps};
+use super::super::wrong_times::SecondZero;
 use super::super::{DefaultValue, Fact, Log, LogMessage, Parameter, TopicName};
 use super::belief::{MessageTrust, belief};
 use super::definition::Definitions;
@@ -44,7 +45,7 @@ struct Software {
 
 impl LogSteps for Ulog {
     fn end(&mut self, log: &mut Log) {
-        log.leave_out_wrong_times(|_| true);
+        log.leave_out_wrong_times(SecondZero::OfClock, |_| true);
         tell_earlier(log);
     }
 

@@ -1,4 +1,4 @@
-//! Vehicles and the names of their modes.
+//! `ArduPilot`'s vehicles and the names of their modes.
 
 /// A kind of vehicle that `ArduPilot` flies, drives or dives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,10 +5,11 @@ use crate::role::{
 };
 
 /// Meaning of the topics for a flight.
-pub(in super::super) const MEANING: Meaning = Meaning {
+pub(super) const MEANING: Meaning = Meaning {
     roles: &[ROLES],
     triggers: &[("camera_capture", "result"), ("camera_trigger", "feedback")],
     conditions: CONDITIONS,
+    has_systems: false,
 };
 
 /// `ROTATION_DOWNWARD_FACING` of range sensors, and what PX4 said in its place in the first years of ULog.
@@ -43,7 +44,7 @@ const fn velocity(topic: &'static str, part: &'static str) -> RowCondition {
 }
 
 /// Places of the topics, for each role the best first.
-pub(in super::super) const ROLES: &[RoleSource] = &[
+pub(super) const ROLES: &[RoleSource] = &[
     field(
         Role::Airspeed,
         "airspeed_validated",

@@ -4,7 +4,7 @@
 //! to a name: times, names that end in their unit, and the scaled integers of satellite positions.
 //! Every other field has none.
 
-use super::super::{FieldKind, ValueScale};
+use super::{FieldKind, ValueScale};
 
 /// Endings of names that are their unit.
 const ENDINGS: [(&str, &str); 13] = [
@@ -24,7 +24,7 @@ const ENDINGS: [(&str, &str); 13] = [
 ];
 
 /// Unit of the field's values, and what the stored number is multiplied by to have it.
-pub(in super::super) fn unit_and_scale(
+pub(super) fn unit_and_scale(
     topic: &str,
     field: &str,
     kind: FieldKind,
