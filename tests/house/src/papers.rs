@@ -62,15 +62,37 @@ pub fn unknown(path: &str, paper: &str, sources: &[Source]) -> Vec<Violation> {
     found
 }
 
-/// Keys by which people choose among the constants `NAME: info = info { key: … }` of the files.
+/// Sections of a file's documentation that make it a paper of its own.
+const EQUATIONS: &str = "# Equations";
+const SOURCE: &str = "# Source";
+
+/// Whether the documentation at the beginning of a file gives the equations of what it has (at least one, under the
+/// heading `# Equations`) and says where they are from (under `# Source`).
+pub fn gives_equations(text: &str) -> bool {
+    let lines: Vec<&str> = text
+        .lines()
+        .map_while(|line| line.strip_prefix("//!"))
+        .map(str::trim)
+        .collect();
+    let section = |heading: &str| {
+        let begin = lines.iter().position(|line| *line == heading)?;
+        let rest = lines[begin + 1..].iter().copied();
+        let rest = rest.take_while(|line| !line.starts_with("# "));
+        Some(rest.collect::<String>())
+    };
+    section(EQUATIONS).is_some_and(|words| words.contains('='))
+        && section(SOURCE).is_some_and(|words| !words.is_empty())
+}
+
+/// Keys by which people choose among the constants `NAME: info = info { key: … }` of the files, each with its file.
 ///
 /// A key that is no text is the member of another constant of the files, as `ROADS.aid`.
-pub fn keys(sources: &[Source], info: &str) -> Vec<String> {
+pub fn keys<'a>(sources: &'a [Source], info: &str) -> Vec<(&'a Source, String)> {
     let declared = format!(": {info} = {info} {{");
     let bodies = sources.iter().filter_map(|source| {
         let (_, body) = source.text.split_once(&declared)?;
         let (_, key) = body.split_once("key: ")?;
-        Some(key)
+        Some((source, key))
     });
     let read = |key: &str| {
         text_at(key).or_else(|| {
@@ -83,7 +105,9 @@ pub fn keys(sources: &[Source], info: &str) -> Vec<String> {
             sources.iter().find_map(rest)
         })
     };
-    bodies.filter_map(read).collect()
+    bodies
+        .filter_map(|(source, key)| Some((source, read(key)?)))
+        .collect()
 }
 
 /// Names of the lines `Name = "key", …` in the list `list! { … }` of a file.
@@ -193,10 +217,37 @@ mod tests {
                 "pub const INFO: OtherInfo = OtherInfo {\n    key: \"other\",\n};",
             ),
         ]);
-        let keys = keys(&sources, "AidInfo");
+        let found = keys(&sources, "AidInfo");
+        let files: Vec<_> = found.iter().map(|(source, _)| &*source.path).collect();
+        assert_eq!(files, ["a.rs", "b.rs"]);
+        let keys: Vec<_> = found.into_iter().map(|(_, key)| key).collect();
         assert_eq!(keys, ["gps", "roads"]);
         let found = unwritten("p.md", "By `gps` on roads.", &keys);
         assert_eq!(complaints(&found), [(0, "says nothing of `roads`")]);
+    }
+
+    #[test]
+    fn a_file_that_gives_its_equations_and_their_source_is_a_paper_of_its_own() {
+        let file = |equations: &str, source: &str| {
+            format!(
+                "//! A filter.\n//!\n//! {equations}\n//!\n//! {source}\n\nfn f() {{}}\n//! # Source\n//! Later."
+            )
+        };
+        let equations = "# Equations\n//!\n//! K = P Hᵀ S⁻¹.";
+        let source = "# Source\n//!\n//! Kalman 1960.";
+        assert!(gives_equations(&file(equations, source)));
+        for (equations, source) in [
+            ("K = P Hᵀ S⁻¹.", source),
+            ("# Equations\n//!\n//! As usual.", source),
+            (equations, "Kalman 1960."),
+            (equations, "# Source"),
+            ("# Equations", "# Source\n//!\n//! K = P Hᵀ S⁻¹."),
+        ] {
+            assert!(
+                !gives_equations(&file(equations, source)),
+                "{equations}, {source}"
+            );
+        }
     }
 
     #[test]
