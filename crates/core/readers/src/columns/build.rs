@@ -1,6 +1,5 @@
 //! A flight of tables, by their maps.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -9,7 +8,7 @@ use nalgebra::{Point3, Vector3};
 use super::attitude::attitude;
 use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
-use super::newest_first::oldest_first;
+use super::newest_first::begins_with_newest;
 use super::rows::pair;
 use super::strays::{FARTHEST, leave_out_strays};
 use super::together::common_name;
@@ -193,7 +192,6 @@ fn table_of(files: &dyn FileSet, map: &ColumnMap) -> Result<(CsvTable, TimeColum
         file: map.file.clone(),
         wanted_by: "its column map".to_owned(),
     })?;
-    let turned = oldest_first(&bytes);
     let names = map
         .columns
         .iter()
@@ -201,8 +199,9 @@ fn table_of(files: &dyn FileSet, map: &ColumnMap) -> Result<(CsvTable, TimeColum
         .collect();
     let is_read = |column: &MappedColumn| column.role != ColumnRole::Nothing;
     let is_read: Vec<bool> = map.columns.iter().map(is_read).collect();
-    let mut table = CsvTable::shaped(&map.file, &turned, &map.shape, names, &is_read)?;
-    if matches!(turned, Cow::Owned(_)) {
+    let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names, &is_read)?;
+    if begins_with_newest(&bytes) {
+        table.turn();
         let told = "its newest row is the first: it is read from its end to its beginning";
         table.told.push(told.to_owned());
     }

@@ -14,25 +14,32 @@ const FEWEST: usize = 5;
 /// So many times fewer steps than rows may go the other way: over midnight, of a wrong time.
 const RARE: usize = 50;
 
-/// The table with its oldest row first; as it is where it is so already, or no column of times tells.
+/// The table with its oldest row first, for looking at its rows; as it is where it is so already, or no column of times tells.
 pub(super) fn oldest_first(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let head = rows_of_one_line(&bytes[..bytes.len().min(HEAD)]);
-    let begins = String::from_utf8_lossy(&head);
-    if !TableShape::of(&begins).is_some_and(|shape| is_newest_first(&begins, &shape)) {
-        return Cow::Borrowed(bytes);
-    }
-    let whole = rows_of_one_line(bytes);
-    let text = String::from_utf8_lossy(&whole);
-    let shape = TableShape::of(&begins).filter(|shape| is_newest_first(&text, shape));
-    let Some(shape) = shape else {
+    let Some((whole, shape)) = newest_first(bytes) else {
         return Cow::Borrowed(bytes);
     };
+    let text = String::from_utf8_lossy(&whole);
     let before = shape.skipped_lines + shape.head_lines();
     let mut lines: Vec<&str> = text.lines().collect();
     lines[before..].reverse();
     let mut turned = lines.join("\n").into_bytes();
     turned.push(b'\n');
     Cow::Owned(turned)
+}
+
+/// Whether the newest row of a table is its first.
+pub(super) fn begins_with_newest(bytes: &[u8]) -> bool {
+    newest_first(bytes).is_some()
+}
+
+/// The table in lines and its shape, where its newest row is the first.
+fn newest_first(bytes: &[u8]) -> Option<(Cow<'_, [u8]>, TableShape)> {
+    let head = rows_of_one_line(&bytes[..bytes.len().min(HEAD)]);
+    let begins = String::from_utf8_lossy(&head);
+    let shape = TableShape::of(&begins).filter(|shape| is_newest_first(&begins, shape))?;
+    let whole = rows_of_one_line(bytes);
+    is_newest_first(&String::from_utf8_lossy(&whole), &shape).then_some((whole, shape))
 }
 
 /// Whether a column of times goes back from row to row, and none goes on.
@@ -142,6 +149,32 @@ mod tests {
                 assert!((found.time - right.time).abs() < 1e-9, "{name}");
                 assert!((found.position - right.position).norm() < 1e-6, "{name}");
             }
+        }
+    }
+
+    #[test]
+    fn the_last_line_of_a_table_from_its_end_is_left_out_where_the_file_is_cut_off_in_it() {
+        let time = |row: u32| row.to_string();
+        let rows: Vec<u32> = (0..60).rev().collect();
+        let text = table(time, "time [s]", &rows);
+        let begin = text.trim_end().rfind('\n').unwrap() + 1;
+        // Within the latitude, behind it, and within the remark, which is not read.
+        for (kept, is_left_out) in [(7, true), (12, true), (24, false)] {
+            let cut = &text[..begin + kept];
+            let map = guess_table("a.csv", text.as_bytes()).unwrap();
+            let folder = flight_of_tables(&files(&[("a.csv", cut)]), &[map]).unwrap();
+            let notes = &folder.notes;
+            let told = |words: &str| notes.iter().any(|note| note.contains(words));
+            assert!(told("newest row"), "{kept}: {notes:?}");
+            assert_eq!(
+                told("line 61: the last line has no end"),
+                is_left_out,
+                "{kept}: {notes:?}"
+            );
+            let states = folder.flight.truth.unwrap().states;
+            assert_eq!(states.len(), 60 - usize::from(is_left_out), "{kept}");
+            let step = states[1].position.x - states[0].position.x;
+            assert!((step - 15.0).abs() < 0.5, "{kept}: {step}");
         }
     }
 

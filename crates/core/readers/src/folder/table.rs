@@ -124,6 +124,11 @@ impl CsvTable {
         })
     }
 
+    /// Turns its rows round: the last becomes the first.
+    pub(crate) fn turn(&mut self) {
+        self.rows.reverse();
+    }
+
     /// Adds a column `name` of times, seconds: rows are `step` apart.
     pub(crate) fn number_rows(&mut self, name: &str, step: f64) {
         let width = self.header.len();
