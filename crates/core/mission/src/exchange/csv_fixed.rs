@@ -191,7 +191,12 @@ fn of_osmosis(content: &str) -> Option<NamedTable> {
     let mut polygons: Vec<Vec<String>> = Vec::new();
     while let Some(ring) = lines.next().filter(|line| *line != "END") {
         let mut corners = Vec::new();
-        for line in lines.by_ref().take_while(|line| *line != "END") {
+        // A list of places that does not end so is another program's, who may write the latitude first.
+        loop {
+            let line = lines.next()?;
+            if line == "END" {
+                break;
+            }
             let mut numbers = line.split_ascii_whitespace().map(str::parse::<f64>);
             let (Some(Ok(longitude)), Some(Ok(latitude)), None) =
                 (numbers.next(), numbers.next(), numbers.next())
@@ -297,6 +302,14 @@ mod tests {
         let polygon = "#saved by Mission Planner 1.3.38\n-35.362 149.164\n-35.362 149.168\n-35.365 149.168\n-35.362 149.164\n";
         let osmosis = "australia_v\n1\n   0.149164E+03    -0.35362E+02\n   0.149168E+03    -0.35362E+02\n   0.149168E+03    -0.35365E+02\nEND\n\
                        !2\n 149.166 -35.363\n 149.167 -35.363\n 149.167 -35.364\nEND\nEND\n";
+        // All numbers may be latitudes.
+        let europe = read_landmark(
+            "#saved by Mission Planner 1.3.80\n47 8\n47 8.001\n47.001 8.001\n47 8\n",
+        );
+        let LandmarkExtent::Corners(corners) = europe.extent else {
+            panic!("Europe");
+        };
+        assert_eq!(corners[2], (8.001, 47.001));
         for (name, text, holes) in [("a.poly", polygon, 0), ("b.poly", osmosis, 1)] {
             let read = read_any(name, text.as_bytes(), None).unwrap();
             assert_eq!(read.landmarks.len(), 1, "{name}");
@@ -331,6 +344,12 @@ mod tests {
         assert!(matches!(
             found.landmarks[1].extent,
             LandmarkExtent::Point((149.165, -35.363))
+        ));
+        let europe = "#saved by APM Planner 1.3\n47.0005 8.0005\n47 8\n47.001 8\n47.001 8.001\n47 8.001\n47 8\n";
+        let found = read("fence.fen", europe).unwrap();
+        assert!(matches!(
+            found.landmarks[1].extent,
+            LandmarkExtent::Point((8.0005, 47.0005))
         ));
         // A way that is walked round and back is a route.
         let walk = "-35.360\t149.160\n-35.361\t149.161\n-35.362\t149.162\n-35.363\t149.163\n-35.360\t149.160\n";
