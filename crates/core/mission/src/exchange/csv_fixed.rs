@@ -140,19 +140,23 @@ fn of_little_navmap(content: &str) -> Option<NamedTable> {
 /// Latitudes and longitudes between blanks: the place to return to, and behind it the corners of the fence, of which the
 /// first closes it once more.
 fn of_fence(content: &str) -> Option<NamedTable> {
+    let is_saved = content.trim_start().to_lowercase().starts_with("#saved by");
     let is_told = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
     let row = |line: &str| {
         let cells: Vec<&str> = line.split_whitespace().collect();
         let &[latitude, longitude] = &cells[..] else {
             return None;
         };
-        let [latitude, longitude] = place(latitude, longitude)?;
+        // Numbers below those words are places however many decimals they have.
+        let is_place = || on_globe(longitude.parse().ok()?, latitude.parse().ok()?).then_some(());
+        if !is_saved || is_place().is_none() {
+            place(latitude, longitude)?;
+        }
         Some(format!("{longitude} {latitude}"))
     };
     let rows: Option<Vec<String>> = content.lines().filter(is_told).map(row).collect();
     let rows = rows?;
     let (first, corners) = rows.split_first()?;
-    let is_saved = content.trim_start().to_lowercase().starts_with("#saved by");
     if is_saved && rows.len() > 3 && first == &rows[rows.len() - 1] {
         return Some(NamedTable {
             text: format!("name,wkt\nPolygon,\"POLYGON (({}))\"\n", rows.join(", ")),
@@ -303,9 +307,8 @@ mod tests {
         let osmosis = "australia_v\n1\n   0.149164E+03    -0.35362E+02\n   0.149168E+03    -0.35362E+02\n   0.149168E+03    -0.35365E+02\nEND\n\
                        !2\n 149.166 -35.363\n 149.167 -35.363\n 149.167 -35.364\nEND\nEND\n";
         // All numbers may be latitudes.
-        let europe = read_landmark(
-            "#saved by Mission Planner 1.3.80\n47 8\n47 8.001\n47.001 8.001\n47 8\n",
-        );
+        let europe =
+            read_landmark("#saved by Mission Planner 1.3.80\n47 8\n47 8.001\n47.001 8.001\n47 8\n");
         let LandmarkExtent::Corners(corners) = europe.extent else {
             panic!("Europe");
         };
