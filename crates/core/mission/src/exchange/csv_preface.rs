@@ -1,6 +1,7 @@
 //! Lines that stand before the names of a table's columns, and the character between its cells.
 
 use super::csv_columns::{CsvRole, columns};
+use super::csv_table::are_named_xy;
 
 /// Characters that part cells, those that mostly do first.
 const DELIMITERS: [char; 4] = [',', ';', '\t', '|'];
@@ -67,6 +68,7 @@ pub(super) fn names_places(line: &str) -> bool {
     let names: Vec<String> = names.collect();
     let says = |word: &str| names.iter().any(|name| name.to_lowercase().contains(word));
     says("easting") && says("northing")
+        || are_named_xy(&names)
         || columns(&names)
             .is_ok_and(|columns| columns.iter().any(|c| c.role == Some(CsvRole::Latitude)))
 }

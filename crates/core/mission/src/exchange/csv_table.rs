@@ -24,6 +24,24 @@ pub(super) struct PlaceColumn {
     pub is_told: bool,
 }
 
+/// Names of columns of longitudes and latitudes that are those of other things as well: of geographic programs, of
+/// photogrammetry (`x_est` of Metashape), and the German words for length and width.
+const XY: [[&str; 2]; 7] = [
+    ["x", "y"],
+    ["xcoord", "ycoord"],
+    ["x_coord", "y_coord"],
+    ["point_x", "point_y"],
+    ["x_est", "y_est"],
+    ["länge", "breite"],
+    ["laenge", "breite"],
+];
+
+/// Whether columns so called may be longitudes and latitudes of what has names.
+pub(super) fn are_named_xy(names: &[String]) -> bool {
+    let has = |name: &str| names.iter().any(|other| other.to_lowercase() == name);
+    XY.iter().any(|pair| pair.iter().all(|name| has(name))) && (has("name") || has("label"))
+}
+
 pub(super) struct ReadCsvTable<'a> {
     pub file: &'a str,
     pub columns: Vec<CsvColumn>,
@@ -153,19 +171,11 @@ impl ReadCsvTable<'_> {
     /// and width, for longitude and latitude where all their cells are degrees with the decimals, signs or letters of a place;
     /// returns a note that says so.
     pub(super) fn take_xy(&mut self, records: &Records) -> Option<String> {
-        let names = [
-            ["x", "y"],
-            ["xcoord", "ycoord"],
-            ["x_coord", "y_coord"],
-            ["point_x", "point_y"],
-            ["länge", "breite"],
-            ["laenge", "breite"],
-        ];
         let is_called = |column: &CsvColumn, name: &str| {
             column.role.is_none() && column.name.to_lowercase() == name
         };
         let find = |name: &str| self.columns.iter().position(|c| is_called(c, name));
-        let (x, y) = names.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
+        let (x, y) = XY.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
         // With a height or a time beside them they may be metres of a track.
         let of_tracks = ["z", "t", "time", "timestamp", "time_s", "qw", "qx"];
         // What has names are places, whose height GDAL calls Z.

@@ -386,6 +386,26 @@ fn a_reference_table_of_metashape_has_its_names_behind_a_comment() {
 }
 
 #[test]
+fn names_of_x_and_y_behind_a_comment_are_longitude_and_latitude() {
+    for table in [
+        "#Label,X_est,Y_est,Z_est\nGCP1,8.500000,47.300000,480.0\n",
+        "#name,x,y,alt,heading\nGCP1,8.500000,47.300000,480.0,10\n",
+    ] {
+        let found = read(table);
+        let places = if found.routes.is_empty() {
+            landmarks(&found)
+        } else {
+            way_points(&found)
+        };
+        assert_at(&places, &[[47.3, 8.5]]);
+        assert_noted(&found.notes, |note| note.contains("longitude and latitude"));
+    }
+    // Nothing is a place there.
+    let error = read_any("a.csv", b"#name,x,y\nA,2600000.1,1200000.2\n", None).unwrap_err();
+    assert!(error.to_string().contains("latitude"), "{error}");
+}
+
+#[test]
 fn rows_of_photos_are_places_and_no_heights_to_fly_at() {
     let found = read(
         "Photo Name,Latitude,Longitude,Altitude,Yaw\nDJI_0001.JPG,47.5,8.25,485.2,90\nDJI_0002.JPG,47.6,8.25,485.3,90\n",
