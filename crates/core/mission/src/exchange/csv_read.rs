@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::{Value, json};
 
 use super::csv_bare::named;
-use super::csv_columns::{CsvRole, columns};
+use super::csv_columns::{CsvColumn, CsvRole, columns};
 use super::csv_geometry::geometry;
 use super::csv_preface::preface;
 use super::csv_table::{CsvRow, ReadCsvTable, Records};
@@ -322,8 +322,9 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
     found
         .notes
         .push("the rows are read as way-points".to_owned());
-    if table.columns.iter().any(|column| is_litchis(&column.name)) {
-        mark_speeds(&mut found);
+    let are_litchis = table.columns.iter().any(|column| is_litchis(&column.name));
+    if are_litchis || has_ground_speeds(table) {
+        mark_speeds(&mut found, are_litchis);
     }
     if assumed_frames > 0 {
         found.notes.push(format!(
@@ -340,8 +341,15 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
     Ok(found)
 }
 
-/// Marks the speeds of Litchi's table as those over ground, and tells what is assumed of them.
-fn mark_speeds(found: &mut GeodeticContent) {
+/// Whether the column of speeds says that they are over ground.
+fn has_ground_speeds(table: &ReadCsvTable) -> bool {
+    let says_so = |column: &CsvColumn| column.name.to_lowercase().contains("ground");
+    let mut columns = table.columns.iter();
+    columns.any(|column| column.role == Some(CsvRole::Speed) && says_so(column))
+}
+
+/// Marks the speeds of a table as those over ground, and tells what is assumed of them, and of Litchi's legs.
+fn mark_speeds(found: &mut GeodeticContent, are_litchis: bool) {
     for route in &mut found.routes {
         let speeds: Vec<Option<f64>> = route.way_points.iter().map(|(_, w)| w.speed).collect();
         for (_, way_point) in &mut route.way_points {
@@ -353,7 +361,9 @@ fn mark_speeds(found: &mut GeodeticContent) {
         if speeds.iter().any(Option::is_some) {
             found.notes.push(OVER_GROUND.to_owned());
         }
-        found.notes.extend(legs_of_speeds(&speeds));
+        if are_litchis {
+            found.notes.extend(legs_of_speeds(&speeds));
+        }
     }
 }
 

@@ -406,6 +406,22 @@ fn names_of_x_and_y_behind_a_comment_are_longitude_and_latitude() {
 }
 
 #[test]
+fn speeds_over_ground_are_those_of_the_legs_and_points_of_surveys_have_their_names() {
+    let found =
+        read("wp,lat,lon,alt_ft_agl,groundspeed_kts\n1,47.0,8.0,400,20\n2,47.001,8.0,400,0\n");
+    let route = &found.routes[0].way_points;
+    assert!((route[0].speed.unwrap() - 20.0 * 1852.0 / 3600.0).abs() < 1e-12);
+    assert_eq!(route[0].properties["mavlink_ground_speed"], "true");
+    assert_eq!(route[1].speed, None);
+    assert!(!route[1].properties.contains_key("mavlink_ground_speed"));
+    assert_noted(&found.notes, |note| note.contains("over ground"));
+    assert!(!found.notes.iter().any(|note| note.contains("Litchi")));
+    let found = read("PointId\tLatitude\tLongitude\tEll. Height\nA1\t47.5\t8.25\t477.5\n");
+    assert_at(&landmarks(&found), &[[47.5, 8.25]]);
+    assert_eq!(found.landmarks[0].name, "A1");
+}
+
+#[test]
 fn rows_of_photos_are_places_and_no_heights_to_fly_at() {
     let found = read(
         "Photo Name,Latitude,Longitude,Altitude,Yaw\nDJI_0001.JPG,47.5,8.25,485.2,90\nDJI_0002.JPG,47.6,8.25,485.3,90\n",
