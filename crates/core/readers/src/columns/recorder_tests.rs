@@ -408,3 +408,29 @@ fn heights_of_blackbox_logs_are_decimetres_unless_others_tell_otherwise() {
     let is_asked = |question: &String| question.contains("(GPS_altitude) in dm");
     assert!(map.questions.iter().any(is_asked), "{:?}", map.questions);
 }
+
+#[test]
+fn speeds_of_an_aircraft_that_circles_in_few_rows_keep_their_units() {
+    // A circle of 60 m at 15 m/s, a row a second: its velocity turns by a quarter of itself from row to row.
+    let text = table(
+        "time [s],lat,lon,alt [m],Airspeed (kts),speed,course,heading",
+        |t| {
+            let (time, turned) = (10.0 * t, 2.5 * t);
+            let course = turned.to_degrees().rem_euclid(360.0);
+            let degrees = 60.0 / 6_371_000.0_f64.to_radians();
+            format!(
+                "{time:.0},{:.8},{:.8},{:.1},{:.2},{:.2},{course:.2},{course:.2}",
+                degrees * turned.sin(),
+                8.0 - degrees * turned.cos(),
+                430.0 + 0.1 * time,
+                15.0 * 3600.0 / 1852.0,
+                15.0 * 3.6,
+            )
+        },
+    );
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let unit = |role| map.column(role).unwrap().unit.clone();
+    assert_eq!(unit(Channel(ChannelName::Airspeed)), "kt");
+    assert_eq!(unit(ColumnRole::SpeedOverGround), "km/h");
+    assert_eq!(map.column(ColumnRole::Course).unwrap().scale, 1.0);
+}

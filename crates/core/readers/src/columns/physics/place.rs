@@ -73,14 +73,21 @@ fn in_pairs(board: &FlightColumns, known: &mut Known, id: Id) {
     }
 }
 
-/// Averages the velocity over some cells where the places are so uncertain that it jumps.
+/// Averages the velocity over some cells where the places are so uncertain that it jumps: to and fro, whereas what turns in
+/// steps that are as large turns on.
 fn calm(known: &mut Known) {
     let [north, east, _] = &known.velocity;
-    let jumps: Vec<f64> = (1..north.len())
-        .map(|i| (north[i] - north[i - 1]).hypot(east[i] - east[i - 1]))
+    let jumps: Vec<[f64; 2]> = (1..north.len())
+        .map(|i| [north[i] - north[i - 1], east[i] - east[i - 1]])
         .collect();
-    let (jump, speed) = (quantile(&jumps, 0.5), quantile(&known.speed(), 0.9));
-    if jump > 2.5 && jump > 0.3 * speed {
+    let sizes: Vec<f64> = jumps.iter().map(|jump| jump[0].hypot(jump[1])).collect();
+    let onward: Vec<f64> = jumps
+        .windows(2)
+        .map(|two| two[0][0] * two[1][0] + two[0][1] * two[1][1])
+        .collect();
+    let (jump, speed) = (quantile(&sizes, 0.5), quantile(&known.speed(), 0.9));
+    let is_to_and_fro = quantile(&onward, 0.5) < 0.0;
+    if is_to_and_fro && jump > 2.5 && jump > 0.3 * speed {
         for part in 0..2 {
             known.velocity[part] = grid::averaged(&known.velocity[part], SMOOTHED);
         }
