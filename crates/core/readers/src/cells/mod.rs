@@ -14,4 +14,4 @@ pub(crate) use moment::Moment;
 pub(crate) use sample::{ColumnSample, median};
 pub use shape::{Separator, TableShape};
 pub(crate) use shape::{is_missing, number, unit_behind};
-pub(crate) use units::{DEGREES_AND_MINUTES, Dimension, linear, shortened};
+pub(crate) use units::{DEGREES_AND_MINUTES, Dimension, SEMICIRCLES, linear, shortened};

@@ -3,7 +3,7 @@
 use super::units::Dimension;
 
 /// Ways of writing the units that are known, besides their own names.
-pub(crate) const SPELLINGS: [(&str, &[&str]); 36] = [
+pub(crate) const SPELLINGS: [(&str, &[&str]); 37] = [
     ("m", &["meter", "meters", "metre", "metres", "mtr"]),
     (
         "ft",
@@ -97,6 +97,7 @@ pub(crate) const SPELLINGS: [(&str, &[&str]); 36] = [
         &["rad s", "radps", "rps", "rad/sec", "radians/second"],
     ),
     (
+    ("semicircles", &["semicircle", "semi circles"]),
         "deg/s",
         &["deg s", "dps", "°/s", "degps", "deg/sec", "degrees/second"],
     ),

@@ -19,6 +19,9 @@ pub(crate) enum Dimension {
 /// is 47° 17.5'.
 pub(crate) const DEGREES_AND_MINUTES: &str = "ddmm";
 
+/// The unit of angles of which 2^31 are half a turn, as activities of Garmin (FIT) have it.
+pub(crate) const SEMICIRCLES: &str = "semicircles";
+
 /// The number of which a unit is a factor: degrees of degrees and minutes in one number, any other as it stands.
 pub(crate) fn linear(unit: &str, number: f64) -> f64 {
     if unit != DEGREES_AND_MINUTES {
@@ -59,6 +62,7 @@ const ANGLES: &[(&str, f64)] = &[
     ("deg1e6", std::f64::consts::PI / 1.8e8),
     ("deg1e7", std::f64::consts::PI / 1.8e9),
     ("deg1e8", std::f64::consts::PI / 1.8e10),
+    (SEMICIRCLES, std::f64::consts::PI / 2_147_483_648.0),
 ];
 const ANGULAR_RATES: &[(&str, f64)] = &[
     ("rad/s", 1.0),

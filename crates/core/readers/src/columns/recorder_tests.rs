@@ -434,3 +434,56 @@ fn speeds_of_an_aircraft_that_circles_in_few_rows_keep_their_units() {
     assert_eq!(unit(ColumnRole::SpeedOverGround), "km/h");
     assert_eq!(map.column(ColumnRole::Course).unwrap().scale, 1.0);
 }
+
+#[test]
+fn semicircles_of_activities_are_places() {
+    let semicircles = |degrees: f64| (degrees / 180.0 * 2_147_483_648.0).round();
+    let row = |t: f64| {
+        [
+            semicircles(-33.85 - 1e-4 * t),
+            semicircles(18.42 + 1e-4 * t),
+            1e-4 * 111_195.0 * (1.0 + (33.85_f64.to_radians()).cos().powi(2)).sqrt(),
+        ]
+    };
+    let named = |names: &str| {
+        table(names, |t| {
+            let [latitude, longitude, speed] = row(t);
+            format!("{t:.1},{latitude},{longitude},{speed:.2},140.3")
+        })
+    };
+    for (names, what) in [
+        (
+            "timestamp [s],position_lat,position_long,distance_of_it,enhanced_altitude",
+            "the names of FIT",
+        ),
+        (
+            "time [s],lat [semicircles],lon [semicircles],distance_of_it,alt",
+            "a unit",
+        ),
+        ("time [s],lat,lon,ground speed,course", "a speed"),
+    ] {
+        let text = named(names);
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        for role in [Latitude, Longitude] {
+            assert_eq!(map.column(role).unwrap().unit, "semicircles", "{what}");
+        }
+        let origin = flown(&text).flight.frame_on_globe.unwrap().origin;
+        assert!(
+            (origin.latitude.to_degrees() + 33.85).abs() < 1e-7,
+            "{what}"
+        );
+        assert!(
+            (origin.longitude.to_degrees() - 18.42).abs() < 1e-7,
+            "{what}"
+        );
+    }
+    // Degrees of FIT that a script has converted, and whole numbers of other programs.
+    for (latitude, unit) in [(-33.85, "deg"), (-338_500_000.0, "deg1e7")] {
+        let text = table("timestamp [s],lat,lon,ground speed", |t| {
+            let step = latitude * 3e-6 * t;
+            format!("{t:.1},{},{},{:.2}", latitude + step, -latitude, 11.29)
+        });
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        assert_eq!(map.column(Latitude).unwrap().unit, unit);
+    }
+}

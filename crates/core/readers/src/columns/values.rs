@@ -1,10 +1,19 @@
 //! Unit of a column by its values.
 
 use super::{ColumnRole, ColumnSample};
+use crate::cells::SEMICIRCLES;
 use pilotage_flight::Quantity;
 
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.806_65;
+
+/// Names that the places of an activity of Garmin have in the profile of FIT, and with their message before.
+const OF_FIT: [&str; 4] = [
+    "position_lat",
+    "position_long",
+    "record.position_lat",
+    "record.position_long",
+];
 
 /// A unit that values suggest: which, how surely, and why in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +71,13 @@ fn place(role: ColumnRole, sample: &ColumnSample) -> UnitGuess {
     } else {
         360.0
     };
+    if reach > most && sample.is_whole() && OF_FIT.contains(&sample.name.as_str()) {
+        return guess(
+            SEMICIRCLES,
+            0.95,
+            "whole numbers called so are semicircles of FIT, of which 2^31 are half a turn",
+        );
+    }
     if reach > 1.01e7 * most && role == ColumnRole::Latitude || reach > 3.7e9 {
         return guess(
             "deg1e8",

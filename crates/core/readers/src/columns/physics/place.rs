@@ -6,18 +6,19 @@ use super::Known;
 use super::axes::EARTH;
 use super::board::{FlightColumns, Id, UnitBasis, nearest};
 use super::grid::{self, TimeCells, TimedNumbers, quantile};
-use crate::cells::{DEGREES_AND_MINUTES, Dimension};
+use crate::cells::{DEGREES_AND_MINUTES, Dimension, SEMICIRCLES};
 use crate::columns::ColumnRole;
 use pilotage_base::frames::units::EARTH_RADIUS;
 
 /// Units of places on the globe, and how likely each is before anything is known.
-const UNITS: [(&str, f64); 6] = [
+const UNITS: [(&str, f64); 7] = [
     ("deg", 1.0),
     ("deg1e7", 0.9),
     ("rad", 1.0),
     ("deg1e6", 0.4),
     ("deg1e5", 0.2),
     ("deg1e8", 0.2),
+    (SEMICIRCLES, 0.4),
 ];
 /// Likelihood of another unit of time than that which values alone said.
 const OTHER_TIME: f64 = 0.2;
@@ -198,9 +199,12 @@ fn readings(board: &mut FlightColumns, known: &Known, pair: (Id, Id)) -> Vec<Pla
             _ => &UNITS[..],
         };
         for (unit, prior) in units.iter().copied() {
-            if are_broken && unit.starts_with("deg1e") && unit != present {
+            let is_counted = unit.starts_with("deg1e") || unit == SEMICIRCLES;
+            if are_broken && is_counted && unit != present {
                 continue;
             }
+            let is_of_fit = unit == SEMICIRCLES && unit == present;
+            let prior = if is_of_fit { 1.0 } else { prior };
             let by_range = if could_be_radians && unit != "rad" {
                 0.1
             } else {
