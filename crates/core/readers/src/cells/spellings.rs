@@ -34,7 +34,12 @@ pub(crate) const SPELLINGS: [(&str, &[&str]); 37] = [
             "metres/second",
         ],
     ),
-    ("kt", &["kts", "knot", "knots", "kn"]),
+    (
+        "kt",
+        &[
+            "kts", "knot", "knots", "kn", "knoten", "nœuds", "noeuds", "nudos",
+        ],
+    ),
     ("km/h", &["kmh", "kph", "kmph", "km h", "km/hr"]),
     ("ft/s", &["fps", "ft s", "ft/sec", "feet/second"]),
     ("ft/min", &["fpm", "ft min", "feet/min", "feet/minute"]),
@@ -92,12 +97,12 @@ pub(crate) const SPELLINGS: [(&str, &[&str]); 37] = [
         "deg1e8",
         &["dege8", "1e8deg", "1e8", "deg 1e8", "deg*1e8", "1e 8deg"],
     ),
+    ("semicircles", &["semicircle", "semi circles"]),
     (
         "rad/s",
         &["rad s", "radps", "rps", "rad/sec", "radians/second"],
     ),
     (
-    ("semicircles", &["semicircle", "semi circles"]),
         "deg/s",
         &["deg s", "dps", "°/s", "degps", "deg/sec", "degrees/second"],
     ),

@@ -235,7 +235,7 @@ const RULES: &[Rule] = &[
     rule(
         Time,
         0.9,
-        "zeit|uhrzeit|zeitstempel|heure|horodatage|hora|tiempo|fecha",
+        "zeit|uhrzeit|zeitstempel|heure|horodatage|temps|hora|tiempo|fecha",
     ),
     rule(Latitude, 0.9, "breite|breitengrad|latitud"),
     rule(
@@ -243,9 +243,51 @@ const RULES: &[Rule] = &[
         0.9,
         "länge|laenge|längengrad|laengengrad|longitud",
     ),
+    rule(
+        SpeedOverGround,
+        0.9,
+        "geschwindigkeit über grund|gps geschwindigkeit|gps geschw|vitesse sol|vitesse gps|velocidad gps|velocidad suelo",
+    ),
     rule(SpeedOverGround, 0.5, "geschwindigkeit|vitesse|velocidad"),
-    rule(Course, 0.8, "kurs|rumbo"),
+    rule(Course, 0.8, "kurs|rumbo|flugrichtung|kurs über grund"),
+    rule(Course, 0.6, "route"),
     rule(Channel(ChannelName::Heading), 0.5, "cap"),
+    rule(
+        Channel(ChannelName::Heading),
+        0.9,
+        "gierwinkel|steuerkurs|lacet",
+    ),
+    rule(
+        Channel(ChannelName::Roll),
+        0.9,
+        "rollwinkel|querneigung|roulis|alabeo",
+    ),
+    rule(
+        Channel(ChannelName::Pitch),
+        0.9,
+        "nickwinkel|längsneigung|tangage|cabeceo",
+    ),
+    rule(
+        Channel(ChannelName::Airspeed),
+        0.9,
+        "fluggeschwindigkeit|vitesse air|velocidad aire",
+    ),
+    turned(
+        Channel(ChannelName::GpsVelocityDown),
+        0.8,
+        "steigen|steigrate|steiggeschwindigkeit|vitesse verticale|velocidad vertical",
+    ),
+    rule(
+        Channel(ChannelName::HeightAboveGround),
+        0.9,
+        "höhe über grund|höhe ü grund|hoehe ueber grund|hauteur sol|altura sobre el suelo",
+    ),
+    rule(Channel(ChannelName::HeightAboveGround), 0.7, "hauteur"),
+    rule(
+        Channel(ChannelName::GpsHeight),
+        0.9,
+        "gps höhe|gps hoehe|höhe gps|höhe über nn|höhe ü nn|höhe über meer|altitude gps|gps altitud|altitud gps",
+    ),
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,

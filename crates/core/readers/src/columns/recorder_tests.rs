@@ -487,3 +487,48 @@ fn semicircles_of_activities_are_places() {
         assert_eq!(map.column(Latitude).unwrap().unit, unit);
     }
 }
+
+#[test]
+fn attitudes_and_heights_of_german_and_french_tables_are_known() {
+    let row = |t: f64| {
+        format!(
+            "{t:.1};{:.6};{:.6};{:.1};{:.1};{:.1};{:.1};{:.1}",
+            47.0 + 1e-4 * t,
+            8.0 + 1e-4 * t,
+            430.0 + t,
+            t,
+            34.0 + 0.1 * t,
+            2.0 + 0.1 * t,
+            3.0 - 0.1 * t
+        )
+    };
+    for names in [
+        "Zeit [s];GPS Breite;GPS Länge;GPS Höhe [m];Höhe über Grund [m];Steuerkurs [°];Rollwinkel [°];Nickwinkel [°]",
+        "Temps (s);Latitude;Longitude;Altitude GPS (m);Hauteur (m);Cap (°);Roulis (°);Tangage (°)",
+    ] {
+        let text = table(names, row);
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        let named: Vec<&str> = names.split(';').collect();
+        let roles = [
+            ColumnRole::Time,
+            Latitude,
+            Longitude,
+            Channel(ChannelName::GpsHeight),
+            Channel(ChannelName::HeightAboveGround),
+            Channel(ChannelName::Heading),
+            Channel(ChannelName::Roll),
+            Channel(ChannelName::Pitch),
+        ];
+        for (role, name) in roles.into_iter().zip(named) {
+            assert_eq!(map.column(role).unwrap().name, name);
+        }
+    }
+    // A height without more beside that of the receiver is none of the receiver.
+    let text = table(
+        "Zeit [s];GPS Breite;GPS Länge;GPS Höhe [m];Höhe [m]",
+        |t| format!("{t:.1};{:.6};8,5;{:.1};{t:.1}", 47.0 + 1e-4 * t, 430.0 + t).replace('.', ","),
+    );
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let height = map.column(Channel(ChannelName::GpsHeight)).unwrap();
+    assert_eq!(height.name, "GPS Höhe [m]");
+}
