@@ -137,6 +137,15 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     if has_attitude {
         notes.push("heading, pitch and roll are those of the camera's gimbal".to_owned());
     }
+    let has = |value: usize| rows.iter().any(|(_, values)| values[value].is_some());
+    if has(ALTITUDE) && !has(HEIGHT) && !text.contains("abs_alt") {
+        // Firmware has written both under that name.
+        notes.push(
+            "its subtitles do not say whether their altitude counts from the sea or from the take-off: it is taken for \
+             that above the sea"
+                .to_owned(),
+        );
+    }
     if is_cut {
         notes.push(
             "its last subtitle has no end and was left out: the file may be cut off".to_owned(),
@@ -349,6 +358,23 @@ mod tests {
             )
         };
         (0..50).map(cue).collect()
+    }
+
+    #[test]
+    fn an_altitude_that_may_count_from_the_take_off_is_told() {
+        let told = |height: &str| {
+            let text = film(|i| {
+                format!(
+                    "[latitude: {:.6}] [longtitude: 8.5] {height}",
+                    47.0 + 1e-6 * i as f64
+                )
+            });
+            let folder = read_srt("a.SRT", text.as_bytes()).unwrap().unwrap();
+            folder.notes.iter().any(|n| n.contains("from the take-off"))
+        };
+        assert!(told("[altitude: 43.1]"));
+        assert!(!told("[rel_alt: 43.1 abs_alt: 480.1]"));
+        assert!(!told("[altitude: 480.1] BAROMETER:43.1"));
     }
 
     #[test]
