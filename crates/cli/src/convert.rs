@@ -85,7 +85,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let bytes = std::fs::read(from).map_err(|e| format!("{}: {e}", from.display()))?;
     let mut imported = read_exchange(&from.to_string_lossy(), &bytes, None).map_err(|error| {
         // What is of another kind is called by its name; plain text may be anything.
-        let is_unsure = has_ending(from, &["txt", "csv", "json"]) && !bytes.starts_with(b"QGC");
+        let may_be_any = has_ending(from, &["txt", "csv", "json"])
+            || !Format::told_by_extension().any(|f| has_ending(from, f.extensions()));
+        let is_unsure = may_be_any && !bytes.starts_with(b"QGC");
         let is = match error {
             ExchangeError::Unknown { .. } => foreign_words(from),
             ExchangeError::Place { .. } | ExchangeError::File { .. } if is_unsure => {

@@ -14,6 +14,8 @@ const MADE_OF_TLOG: &str =
 const PRINTED: &str = "messages of an autopilot as pymavlink prints them";
 const PLACES: &str =
     "write its places into a CSV with the columns latitude, longitude and altitude and open that";
+const PLACES_IN_TIME: &str = "write its rows into a CSV with the columns time, latitude, longitude and altitude and open that";
+const UGCS: &str = "export it as KML or CSV in UgCS and open that in Plan";
 const AIRSPACE: &str = "make KML or GeoJSON of them and open that";
 const TLOG: &str = "open the .tlog of which it was made";
 const PHOTOS: &str = "open the folder of the photos themselves";
@@ -58,6 +60,9 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\n1100 version", "a flight plan of X-Plane (.fms)", FLIGHT_PLAN),
     word("\n3 version", "a flight plan of X-Plane (.fms)", FLIGHT_PLAN),
     word("\ng  wgs 84", "places or tracks of CompeGPS", "make a GPX of it (gpsbabel -i compegps) and open that"),
+    word("<marker id=\"", "control points of Metashape (XML)", "export them there as CSV and open that in Plan"),
+    word("<mission missiontimelmt", "a mission of DJI's Ground Station (.awm)", PLACES),
+    word("\ncoordsys earth", "features of MapInfo (.mif)", TO_GEOJSON),
     word("<rss", "news with places (GeoRSS)", TO_GEOJSON),
     word("\nhfdte", "a glider's flight record (IGC)", "no two fixes could be read in it"),
     word("\nh product:blackbox", "a blackbox log of Betaflight, INAV or Cleanflight", "make a table of it (`blackbox_decode file`) and open the CSV"),
@@ -134,7 +139,12 @@ const MEMBERS: &[(&str, Foreign)] = &[
     word("\"shape_attributes\":", "labels of VIA", LABELS),
     word("\"coordinates\":{\"x\":", "labels of CreateML", LABELS),
     word("^[{\"image_id\":", "detections for a data set of COCO", "open the data set itself, whose labels are read"),
-    word("\"segments\":[{\"type\":\"waypoint\"", "a route of UgCS (JSON)", "export it as KML or CSV in UgCS and open that in Plan"),
+    word("\"type\":\"traversealgorithm\"", "a route of UgCS (JSON)", UGCS),
+    word("\"type\":\"areascanalgorithm\"", "a route of UgCS (JSON)", UGCS),
+    word("\"details_headers\":", "a flight of Parrot's FreeFlight (JSON)", PLACES_IN_TIME),
+    word("\"flight_logging_items\":", "a flight record of GUTMA (JSON, also of Parrot)", PLACES_IN_TIME),
+    word("\"turnpoints\":[", "a task of XCTrack (.xctsk)", PLACES),
+    word("\"segments\":[{\"type\":\"waypoint\"", "a route of UgCS (JSON)", UGCS),
     word("\"type\":\"featurecollection\"", "GeoJSON", CONVERT),
     word("^{\"type\":\"feature\"", "GeoJSON", CONVERT),
     word("^{\"type\":\"point\"", "GeoJSON", CONVERT),
@@ -180,6 +190,33 @@ pub(super) fn of(text: &str) -> Option<Foreign> {
 #[cfg(test)]
 mod tests {
     use super::of;
+
+    #[test]
+    fn routes_and_flights_of_other_programs_are_called_by_these() {
+        for (text, program) in [
+            (
+                "{ \"route\": { \"segments\": [ { \"type\": \"traversealgorithm\" } ] } }",
+                "UgCS",
+            ),
+            (
+                "{\"details_headers\":[\"time\"],\"details_data\":[]}",
+                "FreeFlight",
+            ),
+            ("{\"flight_logging_items\": [[0.1]]}", "GUTMA"),
+            ("{\"tasktype\":\"classic\",\"turnpoints\":[]}", "XCTrack"),
+            (
+                "<?xml?>\n<mission missiontimelmt=\"65535\">",
+                "Ground Station",
+            ),
+            (
+                "<document><chunk><markers><marker id=\"0\" label=\"a\">",
+                "Metashape",
+            ),
+            ("version 300\ncoordsys earth projection 1, 104\n", "MapInfo"),
+        ] {
+            assert!(of(text).unwrap().what.contains(program), "{program}");
+        }
+    }
 
     #[test]
     fn tables_of_photogrammetry_are_called_by_the_program_that_writes_them() {
