@@ -84,8 +84,8 @@ fn of_terminal(line: &str) -> Option<InavItem> {
     Some(InavItem {
         number: (number + 1.0).to_string(),
         action: action.to_owned(),
-        latitude: latitude * 1e-7,
-        longitude: longitude * 1e-7,
+        latitude: latitude / 1e7,
+        longitude: longitude / 1e7,
         altitude: altitude * 0.01,
         parameters: [first, second, third],
         flag,
@@ -162,13 +162,33 @@ pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeEr
 /// The missions of a text of any of the three forms.
 fn missions(file: &str, text: &str) -> Result<Vec<InavMission>, ExchangeError> {
     if let Some(missions) = of_json(text) {
-        return Ok(missions);
+        let mut items = missions.iter().flat_map(|mission| &mission.items);
+        let fault = items.find_map(|item| Some((&item.number, item.place_fault()?)));
+        return match fault {
+            None => Ok(missions),
+            Some((number, cause)) => Err(ExchangeError::File {
+                file: file.to_owned(),
+                cause: format!("command {number} of the mission: {cause}"),
+            }),
+        };
     }
     if !text.trim_start().starts_with('<') {
-        return Ok(vec![InavMission {
-            home: None,
-            items: text.lines().filter_map(of_terminal).collect(),
-        }]);
+        let mut items = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let Some(item) = of_terminal(line) else {
+                continue;
+            };
+            if let Some(cause) = item.place_fault() {
+                return Err(ExchangeError::Place {
+                    file: file.to_owned(),
+                    line: index + 1,
+                    column: 1,
+                    cause,
+                });
+            }
+            items.push(item);
+        }
+        return Ok(vec![InavMission { home: None, items }]);
     }
     let source = NamedText { file, text };
     let root = source.root()?;
@@ -243,16 +263,11 @@ impl InavItem {
                     source.error(element.begin, cause)
                 }),
         };
-        let (latitude, longitude) = (number("lat")?, number("lon")?);
-        if !on_globe(longitude, latitude) {
-            let cause = format!("missionitem: {latitude}, {longitude} is no place on the globe");
-            return Err(source.error(element.begin, cause));
-        }
-        Ok(Self {
+        let item = Self {
             number: value("no").to_owned(),
             action: value("action").to_uppercase(),
-            latitude,
-            longitude,
+            latitude: number("lat")?,
+            longitude: number("lon")?,
             altitude: number("alt")?,
             parameters: [
                 number("parameter1")?,
@@ -260,7 +275,22 @@ impl InavItem {
                 number("parameter3")?,
             ],
             flag: number("flag")?,
-        })
+        };
+        match item.place_fault() {
+            None => Ok(item),
+            Some(cause) => Err(source.error(element.begin, format!("missionitem: {cause}"))),
+        }
+    }
+
+    /// Complaint about a place that is none.
+    fn place_fault(&self) -> Option<String> {
+        let Self {
+            latitude,
+            longitude,
+            ..
+        } = self;
+        let is_place = on_globe(*longitude, *latitude);
+        (!is_place).then(|| format!("{latitude}, {longitude} is no place on the globe"))
     }
 
     /// The command with these first four parameters, at its place.

@@ -229,4 +229,21 @@ fn a_way_point_beyond_a_pole_is_refused_by_its_line_in_every_format_of_missions(
 <missionitem no="1" action="WAYPOINT" lat="-95" lon="18.42" alt="50" parameter1="0" parameter2="0" parameter3="0" flag="165"/>
 </mission>"#;
     refused("a.mission", inav, Some(3), "-95, 18.42 is no place");
+    let terminal = |place: &str| {
+        format!("# wp\nwp 0 1 -338500000 184200000 5000 0 0 0 0\nwp 1 1 {place} 5000 0 0 0 165\n")
+    };
+    assert!(read_any("a.txt", terminal("-338400000 184200000").as_bytes(), None).is_ok());
+    let far = terminal("-950000000 184200000");
+    refused("a.txt", &far, Some(3), "-95, 18.42 is no place");
+    let far = terminal("-338400000 5500000000");
+    refused("a.txt", &far, Some(3), "-33.84, 550 is no place");
+    let json = |latitude: &str| {
+        format!(
+            r#"{{"mission":[{{"no":1,"action":"WAYPOINT","lat":-33.85,"lon":18.42,"alt":50}},
+{{"no":2,"action":"WAYPOINT","lat":{latitude},"lon":18.42,"alt":50,"flag":165}}]}}"#
+        )
+    };
+    assert!(read_any("a.json", json("-33.84").as_bytes(), None).is_ok());
+    let item = "command 2 of the mission: -95, 18.42 is no place";
+    refused("a.json", &json("-95"), None, item);
 }
