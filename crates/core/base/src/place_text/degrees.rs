@@ -21,16 +21,31 @@ pub(super) fn read(text: &str) -> Result<Geodetic, PlaceTextError> {
         (false, false) => (a, b),
         _ => (b, a),
     };
+    let found = on_globe(latitude, longitude);
+    if found.is_err() && a.abs().max(b.abs()) > GREATEST_ANGLE {
+        return of_ten_millionths(latitude, longitude).ok_or(PlaceTextError::Metres);
+    }
+    found
+}
+
+/// The place of a latitude and longitude, degrees.
+pub(super) fn on_globe(latitude: f64, longitude: f64) -> Result<Geodetic, PlaceTextError> {
     if latitude.abs() <= 90.0 && longitude.abs() <= 180.0 {
         return Ok(Geodetic::from_degrees(latitude, longitude, 0.0));
-    }
-    if a.abs().max(b.abs()) > GREATEST_ANGLE {
-        return Err(PlaceTextError::Metres);
     }
     Err(PlaceTextError::Degrees {
         latitude,
         longitude,
     })
+}
+
+/// The place of whole numbers of ten-millionths of a degree, as autopilots count them; `None` where they may as well be
+/// millionths, or metres.
+fn of_ten_millionths(latitude: f64, longitude: f64) -> Option<Geodetic> {
+    let are_whole = latitude.fract() == 0.0 && longitude.fract() == 0.0;
+    let are_clear = latitude.abs() > 90e6 || longitude.abs() > 180e6;
+    let place = on_globe(latitude / 1e7, longitude / 1e7).ok();
+    place.filter(|_| are_whole && are_clear)
 }
 
 /// The two numbers of a text; degrees, minutes and seconds count as one, and S and W are negative.

@@ -1,5 +1,7 @@
-//! Places on the globe as people write them: in degrees, in UTM, as MGRS references, as plus codes.
+//! Places on the globe as people write them: in degrees, in UTM, as MGRS references, as plus codes, as
+//! addresses of maps.
 
+mod address;
 mod degrees;
 mod mgrs;
 mod place_text_error;
@@ -51,7 +53,8 @@ pub fn place_of_text_near(text: &str, near: &Geodetic) -> Result<Geodetic, Place
 fn read(text: &str, near: Option<&Geodetic>) -> Result<Geodetic, PlaceTextError> {
     let text = text.trim().to_uppercase();
     // "31NEM12" is a reference, though N, E and M could be the marks of an angle.
-    plus_code::read(&text, near)
+    address::read(&text)
+        .or_else(|| plus_code::read(&text, near))
         .or_else(|| mgrs::read(&text))
         .or_else(|| utm::read(&text))
         .unwrap_or_else(|| degrees::read(&text))

@@ -6,7 +6,7 @@ pub enum PlaceTextError {
     /// It has no known form.
     #[error(
         "No place is read in that. Write degrees like 46.8571, -92.0765 or 46°51.4' N 92°4.6' W, UTM like 32T 448251 \
-         5211932, MGRS like 32TMT4825111932, or a plus code like 8FVC9G8F+6X."
+         5211932, MGRS like 32TMT4825111932, or a plus code like 8FVC9G8F+6X, or paste the address of a map."
     )]
     Unread,
     /// Degrees beyond the globe.
@@ -19,6 +19,12 @@ pub enum PlaceTextError {
         /// Number in the place of the longitude, degrees.
         longitude: f64,
     },
+    /// An address without a place, or with one in another reference system.
+    #[error(
+        "No latitude and longitude on WGS 84 are read in that address: short ones do not have them. Open it, and copy the \
+         long one."
+    )]
+    Address,
     /// Two latitudes, or two longitudes.
     #[error("Write one number with N or S, and one with E or W.")]
     Hemispheres,

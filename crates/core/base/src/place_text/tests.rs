@@ -59,6 +59,72 @@ fn degrees_that_are_no_place_are_refused_with_the_reason() {
     assert!(refusal("448251 5211932").contains("zone before them"));
 }
 
+#[test]
+fn addresses_of_maps_are_read_with_their_mark_or_else_their_middle() {
+    for text in [
+        "geo:46.5,-92.25",
+        "geo:46.5,-92.25,430;crs=wgs84;u=35",
+        "geo:0,0?q=46.5,-92.25(Hangar)",
+        "geo:46.5,-92.25?z=15",
+        "https://www.google.com/maps/@46.5,-92.25,15z",
+        "https://www.google.com/maps?q=46.5,-92.25",
+        "https://maps.google.com/?q=loc:46.5,+-92.25&z=12",
+        "https://www.google.com/maps/search/?api=1&query=46.5%2C-92.25",
+        "https://www.google.com/maps/search/46.5,+-92.25?entry=tts",
+        "https://www.google.com/maps/place/Duluth/@46.7,-92.1,12z/data=!3m1!4b1!4m6!3m5!1s0x52:0xa7!8m2!3d46.5!4d-92.25!16zL20",
+        "https://www.google.com/maps/place/Duluth/@46.7,-92.1,12z/data=!8m2!3d46.5!4d-92.25?entry=ttu",
+        "google.com/maps/@46.5,-92.25,1200m/data=!3m1!1e3",
+        "https://www.openstreetmap.org/#map=12/46.5/-92.25",
+        "https://www.openstreetmap.org/#map=12/46.5/-92.25&layers=N",
+        "https://www.openstreetmap.org/?mlat=46.5&mlon=-92.25#map=15/46.7/-92.1",
+        "https://www.bing.com/maps?cp=46.5~-92.25&lvl=12",
+        "https://www.bing.com/maps?cp=46.7~-92.1&sp=point.46.5_-92.25_Hangar",
+        "https://maps.apple.com/?ll=46.5,-92.25&q=Hangar",
+        "https://maps.apple.com/place?coordinate=46.5,-92.25&name=Hangar",
+        "https://example.org/map#12.5/46.5/-92.25",
+    ] {
+        let [latitude, longitude] = degrees(text).unwrap_or_default();
+        assert!(
+            (latitude - 46.5).abs() < 1e-12 && (longitude + 92.25).abs() < 1e-12,
+            "{text}: {latitude} {longitude}"
+        );
+    }
+    for text in [
+        "https://maps.app.goo.gl/AbC+dEf123",
+        "https://www.google.com/maps/place/Duluth",
+        "https://www.openstreetmap.org/",
+        "geo:323482,4306480;crs=EPSG:32618;u=20",
+        "geo:here",
+    ] {
+        assert!(refusal(text).contains("copy the long one"), "{text}");
+    }
+    assert!(refusal("geo:95,10").contains("95 and 10"));
+    assert!(refusal("https://www.google.com/maps/@46.5,-192.25,15z").contains("-192.25"));
+}
+
+#[test]
+fn whole_numbers_of_autopilots_are_ten_millionths_of_degrees() {
+    for (text, [latitude, longitude]) in [
+        ("465000000 -922500000", [46.5, -92.25]),
+        ("465000000, -922500000", [46.5, -92.25]),
+        ("-353632621;1491652374", [-35.363_262_1, 149.165_237_4]),
+        ("512345678, -1234567", [51.234_567_8, -0.123_456_7]),
+    ] {
+        let found = degrees(text).unwrap_or_default();
+        let off = (found[0] - latitude).hypot(found[1] - longitude);
+        assert!(off < 1e-12, "{text}: {found:?}");
+    }
+    // Millionths as well, metres with their zone, more than the globe has, and no whole numbers.
+    for text in [
+        "46500000, -92250000",
+        "32448251 5211932",
+        "950000000 100000000",
+        "465000000.5 -922500000",
+    ] {
+        assert!(refusal(text).contains("zone before them"), "{text}");
+    }
+}
+
 /// Values of the Python package mgrs 1.6.0 (`MGRS().UTMToMGRS` and `toLatLon`), which is NGA's GEOTRANS.
 #[test]
 fn utm_coordinates_are_read_with_the_band_or_the_half_of_their_zone() {
