@@ -49,6 +49,12 @@ pub(super) fn read(text: &str) -> Option<Result<Geodetic, PlaceTextError>> {
     Some(found.map_or(Err(PlaceTextError::Address), place))
 }
 
+/// Whether a text has the form of an address, of the web or of `geo:`, which may name a place.
+pub fn is_map_address(text: &str) -> bool {
+    let text = text.trim().to_uppercase();
+    text.starts_with("GEO:") || is_address(&text)
+}
+
 /// Whether a text is an address of the web, with its scheme or without it: `MAPS.GOOGLE.COM/…`.
 fn is_address(text: &str) -> bool {
     let host = text.split(['/', '?', '#']).next().unwrap_or("");

@@ -10,6 +10,7 @@ mod plus_code;
 mod tests;
 mod utm;
 
+pub use address::is_map_address;
 pub use degrees::two_numbers;
 pub use place_text_error::PlaceTextError;
 pub use plus_code::town_of_short_code;

@@ -190,7 +190,7 @@ impl CsvRole {
     /// Units that the column may state; none for text.
     fn units(self) -> &'static [Unit] {
         match self {
-            Self::Latitude | Self::Longitude => &[Unit::Degree],
+            Self::Latitude | Self::Longitude => &[Unit::Degree, Unit::TenMillionth],
             Self::Speed => &[
                 Unit::MetrePerSecond,
                 Unit::KilometrePerHour,
@@ -213,6 +213,8 @@ impl CsvRole {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unit {
     Degree,
+    /// Ten-millionth of a degree, as autopilots count places in whole numbers.
+    TenMillionth,
     Metre,
     Foot,
     Kilometre,
@@ -223,8 +225,9 @@ pub(super) enum Unit {
 }
 
 impl Unit {
-    const ALL: [(Self, &'static [&'static str]); 8] = [
+    const ALL: [(Self, &'static [&'static str]); 9] = [
         (Self::Degree, &["deg", "degree", "degrees", "°"]),
+        (Self::TenMillionth, &["e7", "1e7", "dege7", "deg*1e7"]),
         (Self::Metre, &["m", "metre", "metres", "meter", "meters"]),
         (Self::Foot, &["ft", "feet", "foot"]),
         (Self::Kilometre, &["km"]),
@@ -243,6 +246,7 @@ impl Unit {
     pub(super) fn factor(self) -> f64 {
         match self {
             Self::Degree | Self::Metre | Self::MetrePerSecond => 1.0,
+            Self::TenMillionth => 1e-7,
             Self::Foot => METRES_PER_FOOT,
             Self::Kilometre => 1000.0,
             Self::KilometrePerHour => 1.0 / 3.6,
@@ -511,6 +515,8 @@ fn column_of(name: &str, words: &str) -> CsvColumn {
             Some("agl") => frame = Some(AltitudeFrame::AboveGround),
             Some("rel" | "relative") => frame = Some(AltitudeFrame::AboveTakeOff),
             Some(word) if unit.is_none() && Unit::of(word).is_some() => unit = Unit::of(word),
+            // `[1e7 deg]`
+            Some("1e7" | "e7") if unit == Some(Unit::Degree) => unit = Some(Unit::TenMillionth),
             // `[decimal degrees]`
             Some("decimal") if unit == Some(Unit::Degree) => {}
             _ => {

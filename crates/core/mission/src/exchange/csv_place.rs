@@ -1,7 +1,7 @@
 //! Places in one cell of a table: two numbers, whose order letters, the column's name or the numbers tell.
 
 use pilotage_base::angle_text::angle_of_text;
-use pilotage_base::place_text::{place_of_text, two_numbers};
+use pilotage_base::place_text::{is_map_address, place_of_text, two_numbers};
 
 use crate::mission::found::{LonLat, on_globe};
 
@@ -16,7 +16,10 @@ pub(super) enum PlaceOrder {
 
 /// A cell without what stands around its numbers, and without a height behind them; commas of decimals as points.
 fn plain(cell: &str) -> String {
-    let cell = cell.trim().trim_start_matches("geo:");
+    let cell = cell.trim();
+    if is_map_address(cell) {
+        return cell.to_owned();
+    }
     // As Google's and Leaflet's libraries print places.
     let lower = cell.to_lowercase();
     let printed = ["lat/lng:", "latlng"]
@@ -90,6 +93,9 @@ pub(super) fn is_place(cell: &str) -> bool {
     // Whole numbers without a mark may be anything.
     let is_marked = plain.contains(['.', '°']) || says_order(&plain);
     let is_text = || place_of_text(&plain).is_ok();
+    if is_map_address(&plain) {
+        return is_text();
+    }
     // One angle with a decimal comma is no pair.
     is_marked && angle_of_text(&plain).is_none() && (numbers(&plain).is_some() || is_text())
         || (plain.contains('+') || is_square(&plain)) && is_text()
@@ -128,7 +134,7 @@ pub(super) fn is_surely_place(cell: &str) -> bool {
     let plain = plain(cell);
     let parts = plain.split([',', ';', ' ']);
     let exact = parts.filter(|part| decimals(part) >= 4).count();
-    plain.contains(['°', '+']) || says_order(&plain) || exact >= 2
+    plain.contains(['°', '+']) || is_map_address(&plain) || says_order(&plain) || exact >= 2
 }
 
 /// The order that a column's name states, or that the numbers of its cells tell; `None` where both could be.
@@ -164,7 +170,8 @@ pub(super) fn order<'a>(
 /// The place of a cell, degrees; letters at its numbers outweigh the order.
 pub(super) fn place(cell: &str, order: PlaceOrder) -> Option<LonLat> {
     let plain = plain(cell);
-    if order == PlaceOrder::LongitudeFirst && !says_order(&plain) {
+    let is_told = says_order(&plain) || is_map_address(&plain);
+    if order == PlaceOrder::LongitudeFirst && !is_told {
         let [longitude, latitude] = numbers(&plain)?;
         return on_globe(longitude, latitude).then_some((longitude, latitude));
     }
@@ -199,6 +206,9 @@ mod tests {
             "N47.5 E8.5",
             "8.5E 47.5N",
             "geo:47.5,8.5",
+            "geo:47.5,8.5,430;u=10",
+            "https://www.google.com/maps/@47.5,8.5,15z",
+            "https://www.openstreetmap.org/?mlat=47.5&mlon=8.5#map=15/47.6/8.6",
             "47.5/8.5",
             "lat/lng: (47.5,8.5)",
             "LatLng(47.5, 8.5)",
@@ -214,9 +224,11 @@ mod tests {
             place("33.85S 18.42W", LongitudeFirst),
             Some((-18.42, -33.85))
         );
+        assert_eq!(place("geo:47.5,8.5", LongitudeFirst), Some((8.5, 47.5)));
         for cell in [
             "",
             "Alpha",
+            "https://example.org/47",
             "12, 13",
             "1.5",
             "100.5, 200.5",

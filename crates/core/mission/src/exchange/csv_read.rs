@@ -148,7 +148,7 @@ impl<'a> OpenedTable<'a> {
             }
         }
         table.o_is = table.meaning_of_o(&self.records);
-        Ok(xy)
+        Ok(xy.or(table.take_ten_millionths(&self.records)))
     }
 }
 

@@ -214,6 +214,38 @@ impl ReadCsvTable<'_> {
         ))
     }
 
+    /// Takes latitudes and longitudes for ten-millionths of a degree where all are whole numbers and some are beyond what
+    /// millionths could be; returns a note that says so.
+    pub(super) fn take_ten_millionths(&mut self, records: &Records) -> Option<String> {
+        let find = |role| self.columns.iter().position(|c| c.role == Some(role));
+        let (latitude, longitude) = (find(CsvRole::Latitude)?, find(CsvRole::Longitude)?);
+        let of = [(latitude, 90.0), (longitude, 180.0)];
+        let mut is_beyond = false;
+        for (column, most) in of {
+            if self.columns[column].unit.is_some() {
+                return None;
+            }
+            let cells = records.iter().filter_map(|(_, row)| row.get(column));
+            for cell in cells.filter(|cell| !cell.is_empty()) {
+                let number = cell.parse::<i32>().ok().map(f64::from)?;
+                if number.abs() > most * 1e7 {
+                    return None;
+                }
+                is_beyond |= number.abs() > most * 1e6;
+            }
+        }
+        if !is_beyond {
+            return None;
+        }
+        for (column, _) in of {
+            self.columns[column].unit = Some(Unit::TenMillionth);
+        }
+        Some(format!(
+            "the whole numbers of `{}` and `{}` are taken for ten-millionths of a degree",
+            self.columns[latitude].name, self.columns[longitude].name
+        ))
+    }
+
     /// Leaves out the rows of landmarks that state neither latitude nor longitude, and returns a note of how many. Of
     /// way-points none may lack, nor all of either.
     pub(super) fn leave_unplaced(
@@ -361,6 +393,9 @@ impl CsvRow<'_> {
         }
         let mut degrees = angle::degrees(&plain, letters)
             .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
+        if column.unit == Some(Unit::TenMillionth) {
+            degrees /= 1e7;
+        }
         let is_latitude = role == CsvRole::Latitude;
         let parts = if is_latitude {
             [CsvRole::LatitudeMinutes, CsvRole::LatitudeSeconds]

@@ -495,3 +495,30 @@ fn seconds_of_waiting_in_a_table_without_actions_are_waited() {
         );
     }
 }
+
+#[test]
+fn places_of_a_table_may_be_whole_ten_millionths_of_a_degree_or_addresses_of_maps() {
+    let right = [[-35.363_262_1, 149.165_237_4], [-35.362_5, 149.166]];
+    let rows = "A,-353632621,1491652374\nB,-353625000,1491660000\n";
+    for names in [
+        "name,lat,lon",
+        "name,latitude_e7,longitude_e7",
+        "name,latitudeE7,longitudeE7",
+        "name,lat [1e7 deg],lon [1e7 deg]",
+        "name,lat (degE7),lon (degE7)",
+    ] {
+        let found = read(&format!("{names}\n{rows}"));
+        assert_at(&landmarks(&found), &right);
+        let notes = &found.notes;
+        let is_told = notes.iter().any(|note| note.contains("ten-millionths"));
+        assert_eq!(is_told, names == "name,lat,lon", "{notes:?}");
+    }
+    let links = "name,link\nA,\"https://www.google.com/maps/@-35.3632621,149.1652374,15z\"\n\
+                 B,https://www.openstreetmap.org/#map=15/-35.3625/149.166\n";
+    assert_at(&landmarks(&read(links)), &right);
+    // As well millionths, and more than the globe has.
+    for rows in ["A,35363262,149165237\n", "A,-953632621,1491652374\n"] {
+        let text = format!("name,lat,lon\n{rows}");
+        assert!(read_any("a.csv", text.as_bytes(), None).is_err(), "{rows}");
+    }
+}
