@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use pilotage_core::imagery::ByteSource;
 
+use super::order::Urgency;
 use super::{Abilities, FileContent, Job, JobEvent, JobId, JobRunner, Reply, Request};
 
 /// Worker on the calling thread. Orders and replies go through the bytes that a worker of the page would get.
@@ -105,7 +106,7 @@ impl InlineWorkers {
 
 /// A request after it went through the bytes that a worker would get; files go beside them.
 fn sent(request: Request) -> Request {
-    if matches!(request, Request::Start(_, Job::Provide(_))) {
+    if matches!(&request, Request::Start(_, job) if job.urgency() == Urgency::Files) {
         return request;
     }
     let bytes = request

@@ -2,7 +2,7 @@
 
 use super::order::Urgency;
 use super::programs::Begin;
-use super::{Abilities, Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, WorkerState};
+use super::{Abilities, Advance, JobEvent, JobId, Reply, Request, RunningJob, WorkerState};
 
 /// Least time between two words on the progress of a job, milliseconds. The page is painted anew for
 /// each, which takes from the time of the job where no graphics card does it.
@@ -65,7 +65,7 @@ impl JobRunner {
         match request {
             Request::Start(id, job) => {
                 let urgency = job.urgency();
-                if matches!(job, Job::Provide(_)) {
+                if urgency == Urgency::Files {
                     // What was to be let go of was said before these files were known.
                     self.entries.retain(|e| e.urgency != Urgency::Leaving);
                 }
@@ -132,7 +132,7 @@ fn as_sentence(mut event: JobEvent) -> JobEvent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{LetGoOrder, ProvideOrder};
+    use crate::{Job, LetGoOrder, ProvideOrder};
 
     #[test]
     fn files_that_come_while_others_wait_to_be_let_go_stay() {

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::order::Urgency;
 use super::places::{PLACES, ROLES, place, program_at, role_at};
 use super::shared::{Follows, SHARES, SharedJob};
 use super::{
@@ -432,8 +433,8 @@ impl<P: WorkerPort> WorkerPool<P> {
                     let jobs = self.jobs.iter();
                     jobs.filter(|(id, a)| is_at_work(id, a, role)).count()
                 };
-                // Tiles come and go; a flight stays.
-                let is_long = |a: &&Assigned| !matches!(a.job, Job::Tile(_));
+                // Answers come and go, as tiles do; a flight stays.
+                let is_long = |a: &&Assigned| a.job.urgency() > Urgency::Asked;
                 let long = |role: usize| {
                     let jobs = self.jobs.values().filter(is_long);
                     jobs.filter(|a| role_at(a.seat) == role).count()

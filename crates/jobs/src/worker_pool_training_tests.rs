@@ -1,7 +1,7 @@
 //! The workers on which trainings go on, and the restart of a training whose worker dies.
 
 use super::*;
-use crate::TileOrder;
+use crate::{DescribeMapOrder, TileOrder};
 
 fn train(left: Option<crate::TrainingLeft>) -> Job {
     use pilotage_core::frames::{GroundPoint, GroundRect};
@@ -56,8 +56,10 @@ fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() 
     worker_pool.start(fly());
     let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0);
     let window = pilotage_core::imagery::Window::covering(&area, 1.0);
+    let map = MapSource::world("countryside");
+    worker_pool.start(Job::DescribeMap(DescribeMapOrder(map.clone())));
     for _ in 0..4 {
-        let map = MapSource::world("countryside");
+        let map = map.clone();
         worker_pool.start(Job::Tile(TileOrder { map, window }));
     }
     let training = worker_pool.start(train(None));
