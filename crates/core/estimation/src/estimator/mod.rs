@@ -18,4 +18,5 @@ estimators! {
     Extended(extended, crate::filter::Ekf),
     /// The regularised particle filter.
     Particles(particles, crate::filter::ParticleFilter),
+    Halves(toy, toy::Halves),
 }
