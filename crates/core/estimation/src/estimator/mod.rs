@@ -18,5 +18,4 @@ estimators! {
     Extended(extended, crate::filter::Ekf),
     /// The regularised particle filter.
     Particles(particles, crate::filter::ParticleFilter),
-    Halves(toy, toy::Halves),
 }
