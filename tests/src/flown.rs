@@ -1,15 +1,16 @@
 //! Built-in flights that are flown after something went wrong with them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Matrix4, Vector4};
-use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::flight::{Flight, FrameError, FrameSource};
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::navigator::{Doubt, KnownGround, Navigator, Run};
 use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
+use pilotage_core::raster::{Picture, decode_picture};
 use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight, SimulatedFrames};
 
 /// Memory for the ground below a whole flight on a day, megabytes.
 const GROUND_MEGABYTES: usize = 256;
@@ -46,7 +47,10 @@ pub fn fly_as(
     let SimulatedFlight {
         mut flight, frames, ..
     } = scenario.simulate(seed, &overrides);
-    let mut frames = frames.over(ground(&scenario, day));
+    let mut frames = TakenOnce {
+        flight: (scenario.name, seed, day.key()),
+        frames: frames.over(ground(&scenario, day)),
+    };
     damage(&mut flight);
     let mission = scenario.mission();
     let map = Arc::new(Scenario::map());
@@ -54,6 +58,39 @@ pub fn fly_as(
     let navigator = Navigator::new(given, &KnownGround::of(&mission, map), &mission.navigator)
         .expect("the flight has what it takes");
     FlownScenario::by(navigator, &mut frames, flight)
+}
+
+/// A scenario with its seed and day, and the number of a picture of it.
+type PictureOf = (&'static str, u64, &'static str, usize);
+
+/// Pictures of a flight, each taken once for all that fly it in this program: whatever goes wrong afterwards, its
+/// camera saw the same.
+struct TakenOnce {
+    flight: (&'static str, u64, &'static str),
+    frames: SimulatedFrames,
+}
+
+impl FrameSource for TakenOnce {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        let encoded = self.encoded(index)?;
+        decode_picture(&encoded).map_err(|cause| FrameError::Unreadable {
+            name: index.to_string(),
+            cause: cause.to_string(),
+        })
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        static TAKEN: Mutex<BTreeMap<PictureOf, Vec<u8>>> = Mutex::new(BTreeMap::new());
+        let (name, seed, day) = self.flight;
+        let of = (name, seed, day, index);
+        let taken = || TAKEN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(encoded) = taken().get(&of) {
+            return Ok(encoded.clone());
+        }
+        let encoded = self.frames.encoded(index)?;
+        taken().insert(of, encoded.clone());
+        Ok(encoded)
+    }
 }
 
 /// Ground on the day of a flight, drawn once for all flights of this program over it.
@@ -144,3 +181,31 @@ impl FlownScenario {
 
 /// Bound below which 95 % of the squared errors of two dimensions stay.
 const CHI_SQUARE_95: f64 = 5.991;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_that_are_taken_once_are_those_of_the_flight() {
+        let scenario = Scenario::named("distinct-400ft-wind").expect("a scenario");
+        let mut frames = [2, 3].map(|seed| {
+            let made = scenario.simulate(seed, &Overrides::default());
+            let own = made.frames.over(ground(&scenario, made.day));
+            let taken = TakenOnce {
+                flight: (scenario.name, seed, made.day.key()),
+                frames: own.clone(),
+            };
+            (taken, own)
+        });
+        for _ in 0..2 {
+            for (taken, own) in &mut frames {
+                for index in [0, 40] {
+                    assert_eq!(taken.picture(index), own.picture(index), "{index}");
+                }
+            }
+        }
+        let (taken, _) = &mut frames[0];
+        assert!(taken.picture(usize::MAX).is_err());
+    }
+}
