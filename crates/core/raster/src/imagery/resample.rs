@@ -125,18 +125,15 @@ impl WindowPixels {
         corners.map(|corner| nearest(&corner.into(), &first, turn).coords)
     }
 
-    /// Pixel of the picture at (x, y) of the window, which lies between `corners`.
-    #[inline]
-    fn pixel_between(&self, corners: &[Vector2<f64>; 4], x: f64, y: f64) -> Vector2<f64> {
-        let (x, y) = (x / SPACING as f64, y / SPACING as f64);
-        let (fx, fy) = (x - (x as usize) as f64, y - (y as usize) as f64);
-        let top = corners[0] * (1.0 - fx) + corners[1] * fx;
-        let bottom = corners[2] * (1.0 - fx) + corners[3] * fx;
-        let pixel = top * (1.0 - fy) + bottom * fy;
-        match &self.seam {
-            Some((turn, middle)) => nearest(&pixel.into(), middle, turn).coords,
-            None => pixel,
-        }
+    /// Places in the picture above and below each sample of a row of the window, `offsets` into every pixel: where its
+    /// column meets the lines of nodes to both sides.
+    fn rails(&self, row: usize, offsets: &[f64]) -> Vec<[Vector2<f64>; 2]> {
+        let of_pixel = |column: usize| {
+            let [a, b, c, d] = self.corners(column, row);
+            let shares = offsets.iter().map(move |dx| between_nodes(column, *dx));
+            shares.map(move |t| [a * (1.0 - t) + b * t, c * (1.0 - t) + d * t])
+        };
+        (0..self.window.0).flat_map(of_pixel).collect()
     }
 
     /// The window's pixels, `per_side`² bilinear samples of `part` each. The part has to hold what
@@ -146,20 +143,45 @@ impl WindowPixels {
             .map(|i| (i as f64 + 0.5) / per_side as f64)
             .collect();
         let weights = (per_side * per_side) as f32;
-        Raster::from_fn(self.window.0, self.window.1, |column, row| {
-            let corners = self.corners(column, row);
-            let mut sum = PixelSum::default();
-            for dy in &offsets {
-                for dx in &offsets {
-                    let p = self.pixel_between(&corners, column as f64 + dx, row as f64 + dy);
-                    if (0.0..self.size.0).contains(&p.x) && (0.0..self.size.1).contains(&p.y) {
-                        part.sample(p, &mut sum);
+        let mut drawn = Raster::filled(self.window.0, self.window.1, [0; 4]);
+        let mut rails = Vec::new();
+        for row in 0..self.window.1 {
+            if row % SPACING == 0 {
+                rails = self.rails(row, &offsets);
+            }
+            let shares: Vec<f64> = offsets.iter().map(|dy| between_nodes(row, *dy)).collect();
+            let pixels = drawn.row_mut(row).iter_mut();
+            for (pixel, rails) in pixels.zip(rails.chunks_exact(per_side)) {
+                let mut sum = PixelSum::default();
+                for t in &shares {
+                    for [above, below] in rails {
+                        let p = self.once(above * (1.0 - t) + below * *t);
+                        if (0.0..self.size.0).contains(&p.x) && (0.0..self.size.1).contains(&p.y) {
+                            part.sample(p, &mut sum);
+                        }
                     }
                 }
+                *pixel = sum.pixel(weights);
             }
-            sum.pixel(weights)
-        })
+        }
+        drawn
     }
+
+    /// The place itself, or on a map of the world that which is nearest to its middle.
+    #[inline]
+    fn once(&self, place: Vector2<f64>) -> Vector2<f64> {
+        match &self.seam {
+            Some((turn, middle)) => nearest(&place.into(), middle, turn).coords,
+            None => place,
+        }
+    }
+}
+
+/// Share of the way from the node before a place of a row or column to the node after it, `offset` into pixel `index`.
+#[inline]
+fn between_nodes(index: usize, offset: f64) -> f64 {
+    let place = (index as f64 + offset) / SPACING as f64;
+    place - (place as usize) as f64
 }
 
 impl PyramidRegion<'_> {
@@ -216,8 +238,69 @@ pub fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Matrix2;
     use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-    use pilotage_base::georeference::{Georeference, WorldFile};
+    use pilotage_base::georeference::{Georeference, GroundFromPixel, WorldFile};
+
+    fn whole(pixels: &Raster<Rgba>) -> PyramidRegion<'_> {
+        let size = (pixels.width(), pixels.height());
+        PyramidRegion {
+            pixels,
+            first: (0, 0),
+            level: size,
+            scale: (1.0, 1.0),
+        }
+    }
+
+    /// The window's pixels, each sought among its own four nodes.
+    fn by_pixel(sight: &WindowPixels, part: &PyramidRegion, per_side: usize) -> Raster<Rgba> {
+        Raster::from_fn(sight.window.0, sight.window.1, |column, row| {
+            let corners = sight.corners(column, row);
+            let mut sum = PixelSum::default();
+            for i in 0..per_side * per_side {
+                let into = |i: usize| (i as f64 + 0.5) / per_side as f64;
+                let x = (column as f64 + into(i % per_side)) / SPACING as f64;
+                let y = (row as f64 + into(i / per_side)) / SPACING as f64;
+                let (fx, fy) = (x.fract(), y.fract());
+                let top = corners[0] * (1.0 - fx) + corners[1] * fx;
+                let bottom = corners[2] * (1.0 - fx) + corners[3] * fx;
+                let mut p = top * (1.0 - fy) + bottom * fy;
+                if let Some((turn, middle)) = &sight.seam {
+                    p = nearest(&p.into(), middle, turn).coords;
+                }
+                if (0.0..sight.size.0).contains(&p.x) && (0.0..sight.size.1).contains(&p.y) {
+                    part.sample(p, &mut sum);
+                }
+            }
+            sum.pixel((per_side * per_side) as f32)
+        })
+    }
+
+    #[test]
+    fn rows_that_share_nodes_show_the_very_pixels_that_each_shows_alone() {
+        let pixels = Raster::from_fn(90, 70, |x, y| [x as u8, y as u8, (x * y) as u8, 255]);
+        // Turned, and not square.
+        let place = GroundFromPixel {
+            matrix: Matrix2::new(0.1, -0.4, 0.37, 0.12),
+            corner: Vector2::new(20.0, -30.0),
+        };
+        let placement = Placement::affine(place, 90, 70).unwrap();
+        for (width, height) in [(1, 1), (16, 16), (61, 45), (100, 90)] {
+            let window = Window {
+                north_edge: 21.5,
+                west_edge: -31.0,
+                gsd: 0.9,
+                width,
+                height,
+            };
+            let sight = WindowPixels::new(&window, &placement);
+            for per_side in 1..4 {
+                let drawn = sight.draw(&whole(&pixels), per_side);
+                assert_eq!(drawn, by_pixel(&sight, &whole(&pixels), per_side));
+                assert!(drawn.pixels().iter().any(|p| p[3] == 255) || width == 1);
+            }
+        }
+    }
 
     #[test]
     fn a_map_of_the_world_goes_on_over_the_date_line() {
@@ -242,13 +325,9 @@ mod tests {
         let rect = GroundRect::centered(GroundPoint::default(), 1e6, 2.4e6);
         let window = Window::covering(&rect, 30_000.0);
         let sight = WindowPixels::new(&window, &placement);
-        let part = PyramidRegion {
-            pixels: &pixels,
-            first: (0, 0),
-            level: (360, 180),
-            scale: (1.0, 1.0),
-        };
+        let part = whole(&pixels);
         let drawn = sight.draw(&part, 1);
+        assert_eq!(drawn, by_pixel(&sight, &part, 1));
         for column in 0..drawn.width() {
             let east = window.ground_at(column as f64 + 0.5, 1.0).east;
             let degrees = (east.abs() / 6_378_137.0).atan().to_degrees();
