@@ -96,10 +96,7 @@ impl FrameSource for TakenOnce {
 /// Ground on the day of a flight, drawn once for all flights of this program over it.
 fn ground(scenario: &Scenario, day: FlightDay) -> Arc<CachedImagery> {
     static DRAWN: Mutex<Vec<(FlightDay, Arc<CachedImagery>)>> = Mutex::new(Vec::new());
-    let day = match day {
-        FlightDay::Other => scenario.other_day,
-        day => day,
-    };
+    let day = scenario.seen_on(day);
     let mut drawn = DRAWN.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, imagery)) = drawn.iter().find(|(of, _)| *of == day) {
         return Arc::clone(imagery);

@@ -4,11 +4,15 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use pilotage_core::imagery::CachedImagery;
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulationChoice};
+use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
+use pilotage_core::simulate::{FlightDay, Scenario, SimulationChoice};
 use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
 
 use crate::maps::MAP_CACHE;
 use crate::workers::Lent;
+
+/// Memory for the ground below a flight that is flown again and again, megabytes.
+const GROUND_CACHE: usize = 256;
 
 /// Day on which the camera sees the ground.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -71,14 +75,12 @@ pub fn flown(scenario: &Scenario, seed: u64, day: DayChoice) -> FlightSource {
 /// Map of a scenario and the ground as the camera sees it, for workers that fly it again and again.
 pub fn scenery(scenario: &Scenario, day: DayChoice) -> Lent {
     let day = FlightDay::from(day);
-    let overrides = Overrides {
-        day: Some(day),
-        ..Overrides::default()
-    };
     let map = CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE);
+    let ground = Scenery::new(DEMO_SEED, scenario.seen_on(day).day());
+    let ground = CachedImagery::new(Arc::new(ground), GROUND_CACHE);
     Lent::default()
         .with_map(MapSource::world("countryside"), Arc::new(map))
-        .with_ground(day, scenario.simulate(0, &overrides).frames.imagery())
+        .with_ground(day, Arc::new(ground))
 }
 
 /// Map of the world of a flight, and the ground as the camera sees it where that is drawn by the day.

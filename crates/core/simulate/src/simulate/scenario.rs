@@ -332,16 +332,20 @@ impl Scenario {
         }
     }
 
+    /// The day on which its camera sees the ground of a flight on `day`.
+    pub fn seen_on(&self, day: FlightDay) -> FlightDay {
+        match day {
+            FlightDay::Other => self.other_day,
+            day => day,
+        }
+    }
+
     /// The flight with its pictures, which are made when they are asked for.
     pub fn simulate(&self, seed: u64, overrides: &Overrides) -> SimulatedFlight {
         let flight = self.fly(seed, overrides);
         let day = overrides.day.unwrap_or_default();
-        let seen_on = match day {
-            FlightDay::Other => self.other_day,
-            day => day,
-        };
         SimulatedFlight {
-            frames: SimulatedFrames::new(&flight, seen_on, seed),
+            frames: SimulatedFrames::new(&flight, self.seen_on(day), seed),
             seed,
             day,
             flight,
