@@ -1,6 +1,7 @@
 //! Trainings from beginning to end on the calling thread, with few photos.
 
 use std::cell::Cell;
+use std::sync::OnceLock;
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::{GeoreferencedPicture, GroundFromPixel};
@@ -84,30 +85,46 @@ impl Bench {
     }
 
     fn reports(&self) -> Vec<&TrainingReport> {
-        self.said
-            .iter()
-            .filter_map(|(_, event)| match event {
-                JobEvent::Training(report) => Some(report.as_ref()),
-                _ => None,
-            })
-            .collect()
+        reports(&self.said)
     }
 
     fn outcome(&self) -> Option<&TrainingOutcome> {
-        self.said.iter().find_map(|(_, event)| match event {
-            JobEvent::Trained(outcome) => Some(outcome.as_ref()),
+        outcome(&self.said)
+    }
+}
+
+fn reports(said: &[(JobId, JobEvent)]) -> Vec<&TrainingReport> {
+    said.iter()
+        .filter_map(|(_, event)| match event {
+            JobEvent::Training(report) => Some(report.as_ref()),
             _ => None,
         })
-    }
+        .collect()
+}
+
+fn outcome(said: &[(JobId, JobEvent)]) -> Option<&TrainingOutcome> {
+    said.iter().find_map(|(_, event)| match event {
+        JobEvent::Trained(outcome) => Some(outcome.as_ref()),
+        _ => None,
+    })
+}
+
+/// Everything that is said of the usual training from its beginning to its end, which is run once for all tests that
+/// compare others with it.
+fn usual() -> &'static [(JobId, JobEvent)] {
+    static SAID: OnceLock<Vec<(JobId, JobEvent)>> = OnceLock::new();
+    SAID.get_or_init(|| {
+        let mut bench = Bench::new();
+        bench.start(1, order());
+        // Every vote takes longer than the time between two words.
+        while bench.turn(500.0) {}
+        bench.said
+    })
 }
 
 #[test]
 fn the_table_of_stages_grows_and_at_the_end_there_is_a_detector() {
-    let mut bench = Bench::new();
-    bench.start(1, order());
-    // Every vote takes longer than the time between two words.
-    while bench.turn(500.0) {}
-    let outcome = bench.outcome().unwrap();
+    let outcome = outcome(usual()).unwrap();
     assert!(outcome.judged == 6 && outcome.found >= 3, "{outcome:?}");
     assert!(outcome.sigmas.iter().all(|s| *s > 0.0 && *s < 5.0));
     let mut landmark = order().landmark;
@@ -115,7 +132,7 @@ fn the_table_of_stages_grows_and_at_the_end_there_is_a_detector() {
     landmark.keep_trained_text(Some(&outcome.detector));
     assert!(landmark.is_trained() && landmark.trained_detector().is_some());
 
-    let reports = bench.reports();
+    let reports = reports(usual());
     let whole: Vec<usize> = reports.iter().map(|r| r.stages.len()).collect();
     assert!(whole.is_sorted() && whole[0] == 0, "{whole:?}");
     assert_eq!(whole.last(), Some(&outcome.stages.len()));
@@ -138,15 +155,11 @@ fn the_table_of_stages_grows_and_at_the_end_there_is_a_detector() {
     let left = reports.iter().filter_map(|r| r.left.as_ref());
     let left: Vec<usize> = left.map(|l| l.stages.len()).collect();
     assert_eq!(left, (1..=outcome.stages.len()).collect::<Vec<_>>());
-    assert_eq!(bench.said.last(), Some(&(1, JobEvent::Finished)));
+    assert_eq!(usual().last(), Some(&(1, JobEvent::Finished)));
 }
 
 #[test]
 fn a_training_that_was_broken_off_goes_on_to_the_very_same_detector() {
-    let mut whole = Bench::new();
-    whole.start(1, order());
-    while whole.turn(1.0) {}
-
     let mut first = Bench::new();
     first.start(1, order());
     let left = |bench: &Bench| bench.reports().iter().find_map(|r| r.left.clone());
@@ -169,7 +182,7 @@ fn a_training_that_was_broken_off_goes_on_to_the_very_same_detector() {
         },
     );
     while second.turn(1.0) {}
-    let (expected, found) = (whole.outcome().unwrap(), second.outcome().unwrap());
+    let (expected, found) = (outcome(usual()).unwrap(), second.outcome().unwrap());
     assert_eq!(found.detector, expected.detector);
     assert_eq!(found.stages, expected.stages);
     assert!(found.seconds > before, "its time counts on");
@@ -291,27 +304,28 @@ fn a_picture_that_is_labelled_for_this_flight_and_for_none_is_learned_once() {
 
 #[test]
 fn labelled_frames_are_learned_from_as_well() {
-    let positives = |labelled: Option<LabelledFrames>| {
-        let mut bench = Bench::new();
-        bench.start(
-            1,
-            TrainOrder {
-                labelled,
-                ..order()
-            },
-        );
-        while bench.turn(1.0) {}
-        let words = bench.said.iter().filter_map(|(_, event)| match event {
+    let positives = |said: &[(JobId, JobEvent)]| {
+        let words = said.iter().filter_map(|(_, event)| match event {
             JobEvent::Progress(_, words) => Some(words.clone()),
             _ => None,
         });
         let read = words.filter(|w| w.starts_with("Reading")).collect();
-        let outcome = bench.outcome().expect("a detector");
+        let outcome = outcome(said).expect("a detector");
         (outcome.stages[0].row.positives, read)
     };
-    let (without, none): (usize, Vec<String>) = positives(None);
+    let (without, none): (usize, Vec<String>) = positives(usual());
     assert!(none.is_empty());
-    let (with, read) = positives(Some(labelled(&order().landmark)));
+    let mut bench = Bench::new();
+    let labelled = Some(labelled(&order().landmark));
+    bench.start(
+        1,
+        TrainOrder {
+            labelled,
+            ..order()
+        },
+    );
+    while bench.turn(1.0) {}
+    let (with, read) = positives(&bench.said);
     assert_eq!(with, without + 3 * order().plan.shown);
     // What follows at once is not told.
     assert_eq!(read[0], "Reading labelled frame 1 of 4");
@@ -366,16 +380,14 @@ fn a_training_within_the_usual_envelope_is_the_usual_one_and_within_another_is_n
         });
         found.expect("a detector")
     };
-    let usual = order().envelope();
+    let envelope = order().envelope();
     let level = FlightEnvelope {
         tilt: 0.0,
-        ..usual.clone()
+        ..envelope.clone()
     };
-    let plain = crate::running::finished(order());
-    let usual = trained(order().within(usual));
-    let is_same = |event: &JobEvent| matches!(event, JobEvent::Trained(o) if o.detector == usual);
-    assert!(plain.iter().any(is_same));
-    assert_ne!(trained(order().within(level)), usual);
+    let plain = &outcome(usual()).unwrap().detector;
+    assert_eq!(&trained(order().within(envelope)), plain);
+    assert_ne!(&trained(order().within(level)), plain);
 }
 
 #[test]
