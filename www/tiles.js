@@ -1,59 +1,140 @@
-// Tiles of maps of the web: fetched when the user opened such a map, kept in the browser's cache, and
+// Tiles of maps of the web: fetched when the user opened such a map, kept in the browser's caches, and
 // downloaded for an area so that it is there without a network.
-const CACHE = "tiles-of-pilotage";
+
+// Tiles of areas that were downloaded: they stay.
+const AREAS = "tiles-of-pilotage";
+// Tiles that were looked at, in two generations with a number each. Once the younger is full the older is thrown away, and
+// what is used of the older goes over to the younger: what was used longest ago goes first.
+const SEEN = "tiles-seen-in-pilotage-";
+const MOST_SEEN = 200_000_000;
+// Bytes of a generation stand in it under an address that no server has.
+const BYTES = "https://pilotage.invalid/bytes";
 const AT_A_TIME = 4;
 
 const underWay = new Map();
+let counting = Promise.resolve();
+let uncounted = 0;
 
-/** A tile as `request` has it, asked for once however many wait for it. */
-function tile(cache, address) {
-  const asked = underWay.get(address) ?? request(cache, address).finally(() => underWay.delete(address));
-  underWay.set(address, asked);
-  return asked;
+const numbersOf = (names) => names.filter((name) => name.startsWith(SEEN)).map((name) => Number(name.slice(SEEN.length))).sort((a, b) => a - b);
+
+/** The caches: that of areas, and the two generations. Undefined where the browser keeps none. */
+async function open(storage = globalThis.caches, most = MOST_SEEN) {
+  try {
+    const numbers = numbersOf(await storage.keys());
+    const number = numbers.at(-1) ?? 1;
+    const [areas, younger, older] = await Promise.all([AREAS, SEEN + number, SEEN + (number - 1)].map((name) => storage.open(name)));
+    return { storage, half: most / 2, number, areas, younger, older };
+  } catch {
+    return undefined;
+  }
 }
 
-/** The bytes of a tile, none of them where the server has none, whether the server gave them now, and why they could not be kept, if so; throws
- * where it cannot be had. */
-async function request(cache, address) {
-  const kept = await cache?.match(address);
-  if (kept) return { bytes: new Uint8Array(await kept.arrayBuffer()), isNew: false };
+/** Counts bytes that came into the younger generation; begins another one once it is full. */
+async function count(kept, bytes) {
+  const { storage, number, younger } = kept;
+  const before = await (await younger.match(BYTES))?.text();
+  const all = Number(before ?? 0) + bytes;
+  await younger.put(BYTES, new Response(String(all)));
+  if (all < kept.half) return;
+  const past = numbersOf(await storage.keys()).filter((it) => it < number);
+  await Promise.all(past.map((it) => storage.delete(SEEN + it)));
+  Object.assign(kept, { number: number + 1, older: younger, younger: await storage.open(SEEN + (number + 1)) });
+}
+
+/** Keeps a tile that was looked at, where there is room. What came meanwhile is counted together, and nobody waits for it. */
+async function keep(kept, address, bytes) {
+  try {
+    // Without the answer's headers: some forbid that it is kept.
+    await kept.younger.put(address, new Response(bytes));
+  } catch {
+    return;
+  }
+  uncounted += bytes.length;
+  counting = counting.then(async () => {
+    const came = uncounted;
+    uncounted = 0;
+    if (came > 0) await count(kept, came);
+  }).catch(() => undefined);
+}
+
+/** The bytes of a tile that is kept, if it is. */
+async function keptTile(kept, address) {
+  const found = await kept.areas.match(address) ?? await kept.younger.match(address);
+  if (found) return new Uint8Array(await found.arrayBuffer());
+  const { older } = kept;
+  const used = await older.match(address);
+  if (!used) return undefined;
+  const bytes = new Uint8Array(await used.arrayBuffer());
+  await older.delete(address);
+  await keep(kept, address, bytes);
+  return bytes;
+}
+
+/** What `work` does about a tile, once however many ask for that tile meanwhile. */
+function once(address, work) {
+  const going = underWay.get(address) ?? work().finally(() => underWay.delete(address));
+  underWay.set(address, going);
+  return going;
+}
+
+/** The bytes of a tile as its server gives them, none of them where it has none; throws where it cannot be had. */
+async function fromServer(address) {
   const answer = await fetch(address, { credentials: "omit", referrerPolicy: "origin" });
-  if (answer.status === 404 || answer.status === 204) return { bytes: new Uint8Array(0), isNew: true };
+  if (answer.status === 404 || answer.status === 204) return new Uint8Array(0);
   if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`);
-  const bytes = new Uint8Array(await answer.arrayBuffer());
-  // Without the answer's headers: some forbid that it is kept.
-  const refusal = await cache?.put(address, new Response(bytes)).catch((error) => error);
-  return { bytes, isNew: true, refusal };
+  return new Uint8Array(await answer.arrayBuffer());
 }
 
-const open = () => globalThis.caches?.open(CACHE).catch(() => undefined);
+/** The bytes of a tile to look at, and whether the server gave them now. */
+const tile = (kept, address) => once(address, async () => {
+  const found = kept && await keptTile(kept, address);
+  if (found) return { bytes: found, isNew: false };
+  const bytes = await fromServer(address);
+  // It is shown all the same where there is no room.
+  if (kept && bytes.length > 0) await keep(kept, address, bytes);
+  return { bytes, isNew: true };
+});
 
 /** Tiles at the addresses, null for those that cannot be had; why the first of these cannot, and whether the server gave one now. */
-export async function fetchTiles(addresses) {
-  const cache = await open();
+export async function fetchTiles(addresses, storage = globalThis.caches, most = MOST_SEEN) {
+  const kept = await open(storage, most);
   let problem = null;
-  const came = await Promise.all(addresses.map((address) => tile(cache, address).catch((error) => {
+  const came = await Promise.all(addresses.map((address) => tile(kept, address).catch((error) => {
     problem ??= `${new URL(address).host}: ${navigator.onLine === false ? "there is no network" : error.message}`;
     return null;
   })));
   return { tiles: came.map((it) => it?.bytes ?? null), problem, isNew: came.some((it) => it?.isNew) };
 }
 
+/** Puts a tile into the cache of areas; throws where it cannot be had or kept. */
+async function downloadTile(kept, address) {
+  // Whoever looks at it just now keeps it in another cache.
+  while (underWay.has(address)) await underWay.get(address).catch(() => undefined);
+  const { refusal } = await once(address, async () => {
+    const found = await keptTile(kept, address);
+    if (await kept.areas.match(address)) return { bytes: found, isNew: false };
+    const bytes = found ?? await fromServer(address);
+    const refusal = bytes.length > 0 ? await kept.areas.put(address, new Response(bytes)).catch((error) => error) : undefined;
+    if (!refusal) await kept.younger.delete(address);
+    return { bytes, isNew: !found, refusal };
+  });
+  if (refusal) throw refusal;
+}
+
 let download = null;
 
 /** Puts an area's tiles into the cache until there is no room for more; those that are there already are passed over. */
-export async function downloadTiles(addresses) {
+export async function downloadTiles(addresses, storage = globalThis.caches, most = MOST_SEEN) {
   const own = { all: addresses.length, done: 0, failed: 0, over: false, full: false, stopped: false };
   download = own;
-  const cache = await open();
+  const kept = await open(storage, most);
   const waiting = addresses[Symbol.iterator]();
   const work = async () => {
     for (const address of waiting) {
       if (own.stopped || own.full) return;
       try {
-        if (!cache) throw new Error("this browser keeps no cache");
-        const { refusal } = await cache.match(address) ? {} : await tile(cache, address);
-        if (refusal) throw refusal;
+        if (!kept) throw new Error("this browser keeps no cache");
+        await downloadTile(kept, address);
       } catch (error) {
         own.failed += 1;
         own.full ||= error.name === "QuotaExceededError";

@@ -106,6 +106,32 @@ async function fullStorage(page, tools, server) {
   for (let i = 0; i < 3; i += 1) await tools.drag(at(0.25), at(0.75));
 }
 
+/** What was looked at longest ago goes first once more is kept than may be; what is used and downloaded areas stay. */
+async function bounded(page, tools) {
+  const server = await serve({});
+  const looked = (numbers, rooms) => page.evaluate(async ([address, all, room]) => {
+    const { fetchTiles } = await import("./tiles.js");
+    for (const i of all) await fetchTiles([`${address}/11/${i}/${i}.png`, `${address}/11/0/0.png`], caches, room);
+    const names = (await caches.keys()).filter((name) => name.startsWith("tiles-seen-"));
+    const kept = await Promise.all(names.map(async (name) => (await caches.open(name)).matchAll()));
+    const bytes = await Promise.all(kept.flat().map(async (tile) => (await tile.blob()).size));
+    return bytes.reduce((sum, it) => sum + it, 0);
+  }, [server.address, numbers, rooms]);
+  await page.evaluate(async (address) => (await import("./tiles.js")).downloadTiles([`${address}/12/1/1.png`]), server.address);
+  const room = 20_000;
+  const all = Array.from({ length: 200 }, (_, i) => i + 1);
+  const bytes = await looked(all, room);
+  tools.check(bytes <= 1.2 * room, `${bytes} bytes are kept of ${room}`);
+  tools.say(`${bytes} bytes are kept where ${room} may be, after ${all.length} tiles`);
+  const before = server.counts.tiles;
+  await looked([200], room);
+  await page.evaluate(async (address) => (await import("./tiles.js")).fetchTiles([`${address}/12/1/1.png`]), server.address);
+  tools.check(server.counts.tiles === before, "what was used, or downloaded, was thrown away");
+  await looked([1], room);
+  tools.check(server.counts.tiles === before + 1, "what was used longest ago is still there");
+  server.close();
+}
+
 export async function run(page, tools) {
   const side = 1200;
   const server = await serve({
@@ -165,7 +191,6 @@ export async function run(page, tools) {
     tools.say(`${done.web_map.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
     await page.keyboard.press("Escape");
     await fullStorage(page, tools, server);
-
     // The server fails; the page is loaded again.
     server.refuse();
     const before = server.counts.tiles;
@@ -186,6 +211,7 @@ export async function run(page, tools) {
     tools.check(server.counts.ranges > ranges, "the archive was not read by ranges");
     tools.check(archive.map.attribution === "© Whoever", `the attribution is ${archive.map.attribution}`);
     await tools.screenshot("web-map-archive");
+    await bounded(page, tools);
   } finally {
     server.close();
   }

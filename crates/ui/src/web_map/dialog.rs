@@ -191,7 +191,8 @@ impl WebMapDialog {
             tokens,
             format!(
                 "Whatever part of the map you look at is requested from {host}, which so learns where you \
-                 look. Nothing else leaves this machine, and tiles that came are kept here."
+                 look. Nothing else leaves this machine. Tiles that came are kept here, 200 MB of them at most; those \
+                 of areas that you download stay."
             ),
         ));
         if let Some(why) = &self.wrong {
