@@ -93,8 +93,11 @@ impl App {
         self.input_waits = ShortcutListener::waits(ui.ctx());
         let mut commands = ShortcutListener::take(ui.ctx());
         commands.append(&mut self.commands);
-        self.escape(ui.ctx(), &mut commands);
+        if self.is_covered() {
+            ShortcutListener::cover(ui.ctx());
+        }
         self.layout(ui, now, &mut commands);
+        self.escape(ui.ctx(), &mut commands);
         for command in commands {
             self.execute(command, ui.ctx(), host);
             self.follow_flight(ui.ctx(), host);
@@ -123,26 +126,35 @@ impl App {
         }
     }
 
-    /// Escape selects no span of time, or else closes the settings, unless something else is about to be left by it.
-    fn escape(&self, context: &egui::Context, commands: &mut Vec<Command>) {
+    /// Whether a dialog lies over the views.
+    fn is_covered(&mut self) -> bool {
         let dialogs = &self.dialogs;
-        let views = &self.views;
-        let is_taken = context.text_edit_focused()
-            || egui::Popup::is_any_open(context)
-            || dialogs.palette.is_open()
+        let mut features = self.views.features.iter_mut();
+        dialogs.palette.is_open()
             || dialogs.help
             || dialogs.notices
-            || views.map.picking
+            || features.any(|it| it.is_open_over() && it.tool().is_none())
+    }
+
+    /// Escape that nothing else was left by selects no span of time, or else closes the settings.
+    fn escape(&self, context: &egui::Context, commands: &mut Vec<Command>) {
+        let views = &self.views;
+        let is_taken = ShortcutListener::is_covered(context)
             || views.beside_map().is_some()
             || views.fills_window(self.view.workspace).is_some()
             || views.features.iter().any(|it| it.is_open_over());
-        if is_taken || !context.input(|i| i.key_pressed(egui::Key::Escape)) {
+        let command = if self.playback.selected_span.is_some() && !self.is_flight_hidden() {
+            Command::SelectSpan(None)
+        } else if self.dialogs.settings {
+            Command::ToggleSettings
+        } else {
             return;
-        }
-        if self.playback.selected_span.is_some() && !self.is_flight_hidden() {
-            commands.push(Command::SelectSpan(None));
-        } else if dialogs.settings {
-            commands.push(Command::ToggleSettings);
+        };
+        let escape = |input: &mut egui::InputState| {
+            input.consume_key(egui::Modifiers::NONE, egui::Key::Escape)
+        };
+        if !is_taken && context.input_mut(escape) {
+            commands.push(command);
         }
     }
 

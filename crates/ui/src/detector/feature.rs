@@ -143,6 +143,10 @@ impl Feature for DetectorFeature {
         })
     }
 
+    fn is_open_over(&self) -> bool {
+        self.judgement.is_open
+    }
+
     fn overlay(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, _documents: &Documents) {
         self.judgement.dialog(ui, context);
     }

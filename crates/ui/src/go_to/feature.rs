@@ -14,6 +14,7 @@ use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::{MapLayer, distance_over_ground, is_in_reach, world_reach};
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry, shift};
+use crate::shell::keys::ShortcutListener;
 use crate::state_json::object;
 
 /// Description of the feature.
@@ -169,9 +170,7 @@ impl Feature for GoTo {
         if self.places.take(context.host) {
             self.search(context);
         }
-        let is_left = !std::mem::replace(&mut self.was_open, self.is_open)
-            && !self.is_open
-            && !context.egui.text_edit_focused()
+        let is_left = !ShortcutListener::is_covered(context.egui)
             && context.egui.input(|input| input.key_pressed(Key::Escape));
         if is_left {
             self.mark = None;

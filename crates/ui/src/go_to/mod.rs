@@ -35,8 +35,6 @@ impl From<GoToCommand> for Command {
 #[derive(Debug, Default)]
 pub struct GoTo {
     is_open: bool,
-    /// Whether it was open at the end of the frame before.
-    was_open: bool,
     /// Whether the field has yet to get the keyboard.
     wants_keyboard: bool,
     typed: String,

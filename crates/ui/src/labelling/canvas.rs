@@ -1,8 +1,8 @@
 //! The picture with its boxes, and the pointer on it.
 
 use egui::{
-    Align2, CursorIcon, Key, Painter, PointerButton, Pos2, Rect, Sense, Shape, Stroke, StrokeKind,
-    Ui, Vec2, pos2, vec2,
+    Align2, CursorIcon, InputState, Key, Modifiers, Painter, PointerButton, Pos2, Rect, Sense,
+    Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
 use pilotage_core::mission::{FrameLabels, LabelBox};
 
@@ -10,6 +10,7 @@ use super::drag::BoxDrag;
 use super::{LabelCommand, Labeller, color_of, said_of};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::shell::keys::ShortcutListener;
 use crate::views::{CameraView, parts};
 
 /// Largest distance of a handle from the pointer at which it is taken, points.
@@ -197,8 +198,9 @@ impl Labeller {
 
     /// Escape declines what is proposed, or else leaves, also while no picture is there.
     fn take_escape(&mut self, ui: &Ui, context: &mut ViewContext<'_>) {
-        let is_elsewhere = ui.ctx().text_edit_focused() || ui.memory(|m| m.focused().is_some());
-        if is_elsewhere || self.drag.is_some() || !ui.input(|i| i.key_pressed(Key::Escape)) {
+        let is_elsewhere = ShortcutListener::is_covered(ui.ctx());
+        let is_pressed = |input: &mut InputState| input.consume_key(Modifiers::NONE, Key::Escape);
+        if is_elsewhere || self.drag.is_some() || !ui.input_mut(is_pressed) {
             return;
         }
         if self.proposal.is_none() {
@@ -209,7 +211,8 @@ impl Labeller {
 
     /// Keys that mean something here only.
     fn take_keys(ui: &Ui, context: &mut ViewContext<'_>, frame: usize, size: (u32, u32)) {
-        if ui.ctx().text_edit_focused() || ui.memory(|m| m.focused().is_some()) {
+        let is_elsewhere = ShortcutListener::is_covered(ui.ctx());
+        if is_elsewhere || ui.memory(|m| m.focused().is_some()) {
             return;
         }
         // A slow frame may hold several presses of a key.

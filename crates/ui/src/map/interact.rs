@@ -8,6 +8,7 @@ use super::tool::{arrow_way, tool_keys};
 use super::view::MapView;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::shell::keys::ShortcutListener;
 use crate::shell::paint_focus_ring;
 use crate::tokens::Tokens;
 
@@ -80,6 +81,29 @@ impl MapView {
         }
     }
 
+    /// Escape leaves the tool that draws boxes, or lets a landmark under way go back to where it was taken.
+    pub(super) fn take_escape(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        context: &mut ViewContext<'_>,
+    ) {
+        let is_busy = self.picking || !matches!(self.drag, Drag::None | Drag::Pan);
+        if !is_busy || !tool_keys(ui, response, [Key::Escape])[0] {
+            return;
+        }
+        self.picking = false;
+        if let Drag::Move { id, bounds, .. } | Drag::Resize { id, bounds, .. } =
+            std::mem::take(&mut self.drag)
+        {
+            context.commands.push(Command::ReshapeLandmark {
+                id,
+                bounds,
+                finished: true,
+            });
+        }
+    }
+
     fn wheel(&mut self, ui: &Ui, rect: Rect, response: &Response) {
         let Some(pointer) = response.hover_pos().filter(|_| response.hovered()) else {
             return;
@@ -108,18 +132,16 @@ impl MapView {
         response: &Response,
         context: &mut ViewContext<'_>,
     ) {
-        let typing = ui.ctx().text_edit_focused();
-        let (closer, farther, left, right, escape, enter) = ui.input(|i| {
+        let (closer, farther, left, right, enter) = ui.input(|i| {
             (
                 i.num_presses(Key::Plus) + i.num_presses(Key::Equals),
                 i.num_presses(Key::Minus),
                 i.key_down(Key::Q),
                 i.key_down(Key::E),
-                i.key_pressed(Key::Escape),
                 i.key_pressed(Key::Enter),
             )
         });
-        if typing {
+        if ShortcutListener::is_covered(ui.ctx()) {
             return;
         }
         let middle = rect.center();
@@ -142,19 +164,6 @@ impl MapView {
                 .commands
                 .push(Command::AddLandmark(box_between(a, b)));
             self.picking = false;
-        }
-        if escape {
-            self.picking = false;
-            // A landmark under way goes back to where it was taken.
-            if let Drag::Move { id, bounds, .. } | Drag::Resize { id, bounds, .. } =
-                std::mem::take(&mut self.drag)
-            {
-                context.commands.push(Command::ReshapeLandmark {
-                    id,
-                    bounds,
-                    finished: true,
-                });
-            }
         }
         if let Some(id) = context.selection {
             let deletes = tool_keys(ui, response, [Key::Delete, Key::Backspace]);

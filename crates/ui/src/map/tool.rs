@@ -1,8 +1,7 @@
 //! Tools with which people work on the map: they take the pointer first, and draw what they work on.
 
 use egui::{
-    EventFilter, Key, Modifiers, Painter, PointerButton, Popup, Pos2, Rect, Response, Ui, Vec2,
-    vec2,
+    EventFilter, Key, Modifiers, Painter, PointerButton, Pos2, Rect, Response, Ui, Vec2, vec2,
 };
 use pilotage_core::mission::Mission;
 
@@ -10,6 +9,7 @@ use super::labels::LandmarkLabel;
 use super::layers::Layers;
 use super::transform::ScreenFromWorld;
 use crate::context::ViewContext;
+use crate::shell::keys::ShortcutListener;
 use crate::tokens::Tokens;
 
 /// Way that an arrow of the keyboard moves a view, points of the screen.
@@ -81,10 +81,10 @@ pub trait MapTool {
 /// Keys of `keys` that are pressed and taken for a tool of the map that `response` is of: none while they are for somebody
 /// else, who writes, asks or lets choose, and Enter only where no button has it.
 pub(crate) fn tool_keys<const N: usize>(ui: &Ui, response: &Response, keys: [Key; N]) -> [bool; N] {
-    let (focused, dialog) = ui.memory(|it| (it.focused(), it.top_modal_layer()));
-    if ui.ctx().text_edit_focused() || dialog.is_some() || Popup::is_any_open(ui.ctx()) {
+    if ShortcutListener::is_covered(ui.ctx()) {
         return [false; N];
     }
+    let focused = ui.memory(egui::Memory::focused);
     let takes_enter = focused.is_none_or(|id| id == response.id);
     ui.input_mut(|input| {
         keys.map(|key| {

@@ -231,6 +231,7 @@ impl MapView {
         let rows = extra.layers.iter().filter_map(|layer| layer.row());
         self.has_recorded = rows.into_iter().any(|row| row == Layer::Recorded);
         let view = self.camera.screen_from_world(rect);
+        self.take_escape(ui, &response, context);
         let tool_now = tools.last_mut();
         let is_busy = tool_now.is_some_and(|tool| tool.interact(ui, &view, &response, context));
         self.interact(ui, rect, &response, context, is_busy);

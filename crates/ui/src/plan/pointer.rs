@@ -1,6 +1,6 @@
 //! Pointer on routes of the map.
 
-use egui::{CursorIcon, Key, Popup, Pos2, Response, Ui};
+use egui::{CursorIcon, Key, Pos2, Response, Ui};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route};
@@ -297,9 +297,7 @@ fn keyboard(
     if planner.way_point.is_none() {
         return;
     }
-    // Not taken: a name that is typed on the map, and the tool that draws boxes, are left by it, too.
-    let is_asked = ui.memory(|it| it.top_modal_layer().is_some()) || Popup::is_any_open(ui.ctx());
-    if !is_asked && ui.input(|i| i.key_pressed(Key::Escape)) {
+    if tool_keys(ui, response, [Key::Escape])[0] {
         say(PlanCommand::SelectWayPoint(None));
     }
     if landmark.is_none() {

@@ -1,6 +1,6 @@
 //! Shortcuts, taken before egui moves its focus with the arrows, but never from a text field.
 
-use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Plugin, RawInput};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Plugin, Popup, RawInput};
 
 use super::catalog::CommandEntry;
 use crate::command::Command;
@@ -11,6 +11,8 @@ pub struct ShortcutListener {
     pending: Vec<Command>,
     /// Whether letters are for a field that is about to have the keyboard.
     held: bool,
+    /// Whether keys of the frame are for something above the views.
+    covered: bool,
     /// Events that wait for the next frame, in their order.
     waiting: Vec<Event>,
 }
@@ -26,6 +28,7 @@ impl ShortcutListener {
             table,
             pending: Vec::new(),
             held: false,
+            covered: false,
             waiting: Vec::new(),
         }
     }
@@ -46,6 +49,19 @@ impl ShortcutListener {
     /// Says whether letters belong to a dialog, even before its field has the keyboard.
     pub fn hold(context: &Context, held: bool) {
         context.with_plugin(|listener: &mut Self| listener.held = held);
+    }
+
+    /// Says, before anything is drawn, that a dialog lies over the views.
+    pub fn cover(context: &Context) {
+        context.with_plugin(|listener: &mut Self| listener.covered = true);
+    }
+
+    /// Whether keys of this frame are for what lay above the views as it began: a field that is written in, a list to
+    /// choose from, a dialog. What a key closes is gone for those that are drawn later; the key was not for them.
+    pub fn is_covered(context: &Context) -> bool {
+        context
+            .with_plugin(|listener: &mut Self| listener.covered)
+            .unwrap_or_default()
     }
 
     /// Leaves in `events` the presses of one key, or the clicks, that come first, with what is around them; the others
@@ -123,7 +139,10 @@ impl Plugin for ShortcutListener {
     }
 
     fn input_hook(&mut self, context: &Context, input: &mut RawInput) {
-        let mut typing = self.held || context.text_edit_focused();
+        // Escape takes the keyboard from a field before anything is drawn.
+        let is_written = context.text_edit_focused();
+        self.covered = is_written || Popup::is_any_open(context);
+        let mut typing = self.held || is_written;
         if !self.waiting.is_empty() {
             input.events.splice(0..0, self.waiting.drain(..));
         }

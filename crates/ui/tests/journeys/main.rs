@@ -12,6 +12,7 @@ mod camera_log;
 mod column_map;
 mod compare;
 mod detector;
+mod escape;
 mod first_screen;
 mod fly_again;
 mod forget;
