@@ -263,6 +263,17 @@ impl PlanCommand {
             _ => false,
         }
     }
+
+    /// Whether it is about a no-fly area or a rally point by its number, which is another one's once they came or went.
+    pub(super) fn is_of_area_or_rally(&self) -> bool {
+        matches!(
+            self,
+            Self::EditArea { .. }
+                | Self::DeleteArea(_)
+                | Self::EditRally { .. }
+                | Self::DeleteRally(_)
+        )
+    }
 }
 
 impl From<PlanCommand> for Command {

@@ -41,14 +41,19 @@ impl Feature for Planner {
         let Some(command) = command.action::<PlanCommand>().cloned() else {
             return false;
         };
-        // Undo in the same frame came first: the number is that of another way-point.
+        // Undo in the same frame came first: the number is that of another way-point, area or rally point.
         let is_of_before = self.counted != count(context.documents);
-        if is_of_before && command.is_of_way_point() {
+        let are_others = !self.numbered.is_as_in(&context.documents.mission);
+        if is_of_before && command.is_of_way_point() || are_others && command.is_of_area_or_rally()
+        {
             return true;
         }
         let is_done = self.carry_out(command, context);
         if !is_of_before {
             self.keep_count(context.documents);
+        }
+        if !are_others {
+            self.numbered.keep(&context.documents.mission);
         }
         is_done
     }

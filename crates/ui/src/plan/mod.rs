@@ -46,6 +46,7 @@ mod name_field;
 mod no_fly;
 mod no_fly_card;
 mod no_fly_paint;
+mod numbered;
 mod on_map;
 mod paint;
 mod panel;

@@ -28,6 +28,7 @@ use super::incursion_check::IncursionCheck;
 use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::{Marking, PutAway};
+use super::numbered::NumberedPlaces;
 use super::patterns::PassCircumstances;
 use super::printing::Printing;
 use super::rehearsal::{RehearsalPreferences, RouteRehearsal};
@@ -99,6 +100,8 @@ pub struct Planner {
     pub way_point: Option<usize>,
     /// Id of the selected route, and number of its way-points, as they were left.
     pub(super) counted: Option<(u32, usize)>,
+    /// No-fly areas and rally points, as its own commands or undo left them.
+    pub(super) numbered: NumberedPlaces,
     /// Pointer on routes of the map.
     pub pointer: PlanPointer,
     /// Whether clicks on the map add way-points.
@@ -184,12 +187,17 @@ impl Planner {
             known.or_else(first)
         };
         self.table.settle(&documents.mission);
-        // By other hands, such as undo: the numbers are those of other way-points.
+        // By other hands, such as undo: the numbers are those of other way-points, areas and rally points.
         if self.counted != count(documents) {
             self.way_point = None;
             self.pointer.dragged = None;
         }
         self.keep_count(documents);
+        if !self.numbered.is_as_in(&documents.mission) {
+            (self.pointer.area, self.pointer.rally) = (None, None);
+            (self.area_draft, self.rally_draft) = (None, None);
+            self.numbered.keep(&documents.mission);
+        }
     }
 
     /// Notes the way-points of the selected route, as its own commands or undo left them.

@@ -96,3 +96,41 @@ fn rally_points_are_exported_in_a_file_of_their_own_and_make_an_emergency_page()
         assert!(body.contains(words), "{words}");
     }
 }
+
+#[test]
+fn a_rally_point_that_undo_brings_back_while_another_is_dragged_is_not_moved_in_its_place() {
+    let mut rig = planning();
+    for east in [-150.0, 0.0] {
+        rig.key_with(Modifiers::SHIFT, Key::I);
+        click(&mut rig, 60.0, east);
+        rig.settle();
+    }
+    rig.harness.get_by_label("Delete Rally 1").click();
+    rig.settle();
+    let (from, to) = (screen(&rig, 60.0, 0.0), screen(&rig, -40.0, 90.0));
+    rig.harness.hover_at(from);
+    rig.frames(2);
+    rig.harness.drag_at(from);
+    rig.frames(2);
+    rig.harness.hover_at(from.lerp(to, 0.5));
+    rig.frames(2);
+    assert_ne!(points(&rig)[0].1, 60.0, "it is dragged");
+    // Twice in a frame: the drag is one step, and the deletion another.
+    for pressed in [true, false, true, false] {
+        rig.harness.input_mut().events.push(egui::Event::Key {
+            key: Key::Z,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers: Modifiers::COMMAND,
+        });
+    }
+    rig.frames(2);
+    let undone = points(&rig);
+    assert_eq!(undone.len(), 2, "both are there again: {undone:?}");
+    rig.harness.hover_at(to);
+    rig.frames(2);
+    rig.harness.drop_at(to);
+    rig.settle();
+    assert_eq!(points(&rig), undone);
+}
