@@ -8,7 +8,7 @@ use super::command::CompareCommand;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature_work::FeatureWork;
-use crate::shell::{at_work, counted, of_before, text_button};
+use crate::shell::{at_work, counted, of_before_again, text_button};
 use crate::views::{parts, table};
 
 /// State of the contest of all estimators.
@@ -67,7 +67,11 @@ impl ContestState {
         let Some(found) = &self.found else { return };
         let words = "Of the mission before: its landmarks, settings or map have changed since.";
         let words = is_of_before.then_some(words);
-        of_before(ui, tokens, words, |ui| table_of(ui, context, found));
+        let is_under_way = self.work.words.is_some();
+        let draw = |ui: &mut Ui| table_of(ui, context, found);
+        if of_before_again(ui, tokens, words, is_under_way, draw) {
+            context.commands.push(CompareCommand::FlyAll.into());
+        }
     }
 }
 

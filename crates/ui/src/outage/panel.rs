@@ -9,7 +9,7 @@ use super::state::{OutageCommand, Outages, is_of_before, measures_airspeed};
 use super::wind::winds;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{at_work, counted, of_before, text_button, whole_sentences};
+use crate::shell::{at_work, counted, of_before_again, text_button, whole_sentences};
 use crate::units::clock;
 use crate::views::chart::dashed;
 use crate::views::{parts, table};
@@ -64,14 +64,23 @@ pub fn outage_panel(
         let sentence = whole_sentences(std::slice::from_ref(trouble));
         wrapped(ui, tokens.warning, &sentence);
     }
+    let is_under_way = outages.work.words.is_some();
     if let Some(report) = &outages.report {
         let words = is_of_before(outages.report_of, documents).then_some(OF_BEFORE);
-        of_before(ui, tokens, words, |ui| one_outage(ui, context, report));
+        let draw = |ui: &mut Ui| one_outage(ui, context, report);
+        if of_before_again(ui, tokens, words, is_under_way, draw) {
+            let (from, to) = report.span;
+            context.commands.push(OutageCommand::Of(from, to).into());
+        }
     }
     study(ui, context, outages);
     if let Some(report) = &outages.study {
         let words = is_of_before(outages.study_of, documents).then_some(OF_BEFORE);
-        of_before(ui, tokens, words, |ui| studied(ui, context, report));
+        let draw = |ui: &mut Ui| studied(ui, context, report);
+        if of_before_again(ui, tokens, words, is_under_way, draw) {
+            let again = OutageCommand::Study(report.length);
+            context.commands.push(again.into());
+        }
     }
     if let Some(report) = outages.report.as_ref().and_then(|r| r.winds.as_ref()) {
         winds(ui, context, report);

@@ -28,7 +28,7 @@ pub use help::help_sheet;
 pub use hud::{BELOW_HUD, Headline, Light, Readout, hud};
 pub use notices::notices_sheet;
 pub use number_field::NumberField;
-pub use of_before::{FADED, of_before};
+pub use of_before::{FADED, of_before, of_before_again};
 pub use palette::Palette;
 pub use sentences::{counted, sentences, whole_sentences};
 pub use theme::apply_theme;

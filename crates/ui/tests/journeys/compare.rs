@@ -137,6 +137,20 @@ fn a_table_of_the_mission_before_says_so_and_why_an_estimator_failed() {
     rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
     rig.settle();
     assert!(!told(&mut rig));
+    assert!(rig.harness.query_by_label("Work it out again").is_none());
+    rig.key_with(
+        egui::Modifiers::COMMAND | egui::Modifiers::SHIFT,
+        egui::Key::Z,
+    );
+    rig.settle();
+    assert!(told(&mut rig));
+    let count = |rig: &mut Rig| rig.host().jobs.iter().filter(is_contest).count();
+    let before = count(&mut rig);
+    rig.harness.get_by_label("Work it out again").click();
+    rig.frames(3);
+    assert_eq!(count(&mut rig), before + 1);
+    rig.settle();
+    assert!(!told(&mut rig));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{AidedResult, Job, JobEvent, OutageReport};
+use pilotage_jobs::{AidedResult, Job, JobEvent, Outage, OutageReport};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -215,6 +215,16 @@ fn a_cut_with_landmarks_of_the_run_before_says_so() {
     rig.settle();
     assert_eq!(rig.state()["outage"]["of_run_before"], true);
     rig.harness.get_by_label_contains(OF_BEFORE);
+    rig.harness.get_by_label("Work it out again").click();
+    rig.frames(3);
+    let jobs = rig.host().jobs.iter();
+    let spans: Vec<_> = jobs
+        .filter_map(|(_, job)| match job {
+            Job::Outage(order) => Some(order.outage),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(spans.last(), Some(&Outage::Stretch(1.0, 31.0)));
 }
 
 #[test]
