@@ -1,5 +1,7 @@
 //! Landmarks that people draw or change are measured by themselves.
 
+use std::collections::HashMap;
+
 use pilotage_core::landmark::Landmark;
 
 use super::assessments::same;
@@ -20,9 +22,7 @@ impl DrawnLandmarks {
     /// Where several are others at once, they were opened, imported or proposed, and people say which are measured.
     pub fn rested(&mut self, landmarks: &[Landmark], now: f64) -> (Option<u32>, bool) {
         let known = self.known.get_or_insert_with(|| landmarks.to_vec());
-        let is_known = |it: &Landmark| known.iter().any(|k| k.id == it.id && same(k, it));
-        let mut others = landmarks.iter().filter(|it| !is_known(it));
-        match (others.next(), others.next()) {
+        match others(known, landmarks) {
             (Some(one), None) => match &self.changed {
                 Some((before, since)) if before.id == one.id && same(before, one) => {
                     if now - since < REST {
@@ -49,6 +49,25 @@ impl DrawnLandmarks {
         self.known = Some(landmarks.to_vec());
         self.changed = None;
     }
+}
+
+/// The first two of `landmarks` that are not `known` as they are.
+fn others<'a>(
+    known: &[Landmark],
+    landmarks: &'a [Landmark],
+) -> (Option<&'a Landmark>, Option<&'a Landmark>) {
+    let is_same = |k: &Landmark, it: &Landmark| k.id == it.id && same(k, it);
+    let mut by_id: Option<HashMap<u32, &Landmark>> = None;
+    let mut others = landmarks.iter().enumerate().filter_map(|(index, it)| {
+        // Nearly always each stands where it stood.
+        if known.get(index).is_some_and(|k| is_same(k, it)) {
+            return None;
+        }
+        let by_id = by_id.get_or_insert_with(|| known.iter().map(|k| (k.id, k)).collect());
+        let is_known = by_id.get(&it.id).is_some_and(|k| is_same(k, it));
+        (!is_known).then_some(it)
+    });
+    (others.next(), others.next())
 }
 
 #[cfg(test)]

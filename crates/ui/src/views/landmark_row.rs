@@ -76,18 +76,20 @@ pub fn landmark_row(
         let response = ui.interact(rect, egui::Id::unique(("landmark row", id)), Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, words));
         let painter = ui.painter();
-        paint_row(painter, rect, tokens, is_selected, response.hovered());
-        cells(&LandmarkRow {
-            painter,
-            rect,
-            color: if landmark.enabled {
-                tokens.text
-            } else {
-                tokens.muted
-            },
-            landmark,
-            tokens,
-        });
+        if ui.is_rect_visible(rect) {
+            paint_row(painter, rect, tokens, is_selected, response.hovered());
+            cells(&LandmarkRow {
+                painter,
+                rect,
+                color: if landmark.enabled {
+                    tokens.text
+                } else {
+                    tokens.muted
+                },
+                landmark,
+                tokens,
+            });
+        }
         if response.has_focus() {
             paint_focus_ring(painter, rect, tokens);
             keyboard(ui, response.id, landmark, context.commands);

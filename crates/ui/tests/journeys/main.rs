@@ -11,6 +11,7 @@ mod broken_file;
 mod camera_log;
 mod column_map;
 mod compare;
+mod crowd;
 mod detector;
 mod escape;
 mod first_screen;
