@@ -244,6 +244,17 @@ impl<'a> StudyTally<'a> {
         };
         let why = match tally.mean() {
             None => "no flight has a number of it".to_owned(),
+            Some(_) if half <= stop.half_width => {
+                let looked = self.draws - self.draws % stop.every;
+                let since = match looked {
+                    0 => format!(
+                        "it would first have been looked at after {} draws",
+                        stop.every
+                    ),
+                    _ => format!("it was not when it was last looked at, after {looked} draws"),
+                };
+                format!("it is, to ± {}{unit}, but {since}", digits(half))
+            }
             Some(_) if half.is_finite() => format!("its interval is ± {}{unit}", digits(half)),
             Some(_) => "it has no interval, as its numbers are too few or all alike".to_owned(),
         };

@@ -155,3 +155,17 @@ fn a_setting_that_yields_no_number_does_not_hide_and_says_why_the_rule_did_not_e
     assert!(met.is_stopped && met.not_enough.is_none() && !met.table().contains("did not end"));
     assert_eq!(of_two("", 0).not_enough, None);
 }
+
+#[test]
+fn an_interval_that_narrows_after_the_last_look_is_not_called_too_wide() {
+    let said = |every: u64| {
+        let stop = format!("stop = {{ measure = \"near\", half_width = 0.125, every = {every} }}");
+        of_two(&stop, 64).not_enough
+    };
+    let known = "near was to be known to ± 0.125 in every cell: vehicle airplane-wind; it is, to ± 0.119, but it";
+    let late = format!("{known} was not when it was last looked at, after 48 draws");
+    assert_eq!(said(48), Some(late));
+    let never = format!("{known} would first have been looked at after 80 draws");
+    assert_eq!(said(80), Some(never));
+    assert_eq!(said(32), None);
+}
