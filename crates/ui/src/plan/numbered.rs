@@ -2,7 +2,7 @@
 
 use pilotage_core::mission::{Mission, NoFlyZone};
 
-/// What the numbers of areas, of their corners and holes, and of rally points stood for when it was noted.
+/// Meaning of the numbers of areas, of their corners and holes, and of rally points when it was noted.
 #[derive(Debug, Default, PartialEq)]
 pub struct NumberedPlaces {
     /// Name of each area, with the count of corners of its outline and of each hole.
