@@ -160,6 +160,14 @@ pub fn run<O: Order + Send>(
     run_on(processors(), orders, lent, hear)
 }
 
+/// Does `then` once the standard input has ended, or cannot be read, whatever else is under way.
+pub fn once_input_ends(then: impl FnOnce(std::io::Result<u64>) + Send + 'static) {
+    std::thread::spawn(|| {
+        let mut input = std::io::stdin().lock();
+        then(std::io::copy(&mut input, &mut std::io::sink()));
+    });
+}
+
 /// Number of processors.
 pub fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, std::num::NonZero::get)

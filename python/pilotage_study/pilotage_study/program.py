@@ -47,11 +47,11 @@ class Program:
 
     path: str = "pilotage"
 
-    def _call(self, words: list[str]) -> str:
+    def _call(self, words: list[str], stdin: int | None = None) -> str:
         found = shutil.which(self.path)
         if found is None:
             raise StudyFailure(f"there is no program {self.path}; give its path with --program")
-        done = subprocess.run([found, "study", *words], capture_output=True, text=True, check=False)
+        done = subprocess.run([found, "study", *words], stdin=stdin, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise StudyFailure(done.stderr.strip() or f"{self.path} ended with {done.returncode}")
         return done.stdout
@@ -93,7 +93,14 @@ class Program:
             out = Path(folder, "out")
             only = ",".join(str(shard) for shard in shards)
             words = [str(file), "--out", str(out), "--runs-per-shard", str(runs_per_shard)]
-            self._call([*words, "--only", only, "--threads", "1", "--quiet"])
+            words += ["--only", only, "--threads", "1", "--quiet", "--until", "input-ends"]
+            # Nobody else has the end that is written to: the program's input ends with this process, however that ends.
+            input_of_program, held = os.pipe()
+            try:
+                self._call(words, stdin=input_of_program)
+            finally:
+                os.close(input_of_program)
+                os.close(held)
             files = sorted(Path(out, "shards").glob("[0-9]*"))
             if len(files) != len(shards):
                 raise StudyFailure(f"{len(files)} of {len(shards)} shards came")

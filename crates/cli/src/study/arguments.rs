@@ -6,6 +6,13 @@ use std::path::{Path, PathBuf};
 use super::shards::Shards;
 use crate::workers;
 
+/// Reason to give a study up before its end.
+#[derive(Clone, Copy, clap::ValueEnum)]
+pub enum GiveUpChoice {
+    /// The standard input ends, as it does when the program that waits for the study is no more.
+    InputEnds,
+}
+
 /// Arguments of `pilotage study PLAN`.
 #[derive(clap::Args)]
 #[group(id = "study_plan")]
@@ -45,6 +52,9 @@ pub struct Arguments {
     /// Threads; as many as there are processors if not given.
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     pub threads: Option<u64>,
+    /// Goes on until then and no longer, whatever is under way; shards that are whole stay.
+    #[arg(long, value_name = "WHEN")]
+    pub until: Option<GiveUpChoice>,
     /// Keeps a record of the whole study in this folder, for the measured results.
     #[arg(long, value_name = "FOLDER", requires = "made", conflicts_with_all = ["share", "only", "describe"])]
     pub record: Option<PathBuf>,

@@ -13,6 +13,8 @@ mod shards;
 use pilotage_study::{MeasureKind, StudySetting};
 
 use crate::CommandResult;
+use crate::workers;
+use arguments::GiveUpChoice;
 use map_work::MapWorkPlan;
 
 /// Arguments of `pilotage study`.
@@ -45,6 +47,10 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             Ok(())
         }
         (None, Some(plan)) => {
+            match plan.until {
+                Some(GiveUpChoice::InputEnds) => end_with_input(),
+                None => {}
+            }
             let text = plan.text()?;
             if map_work::run(plan, &text)? {
                 return Ok(());
@@ -53,6 +59,18 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
         (None, None) => Err("give the plan of a study, or see pilotage study --help".into()),
     }
+}
+
+/// Lets the program end as soon as its standard input does.
+fn end_with_input() {
+    workers::once_input_ends(|ended| {
+        let why = match ended {
+            Ok(_) => "the standard input has ended".to_owned(),
+            Err(why) => format!("the standard input cannot be read: {why}"),
+        };
+        eprintln!("Given up: {why}.");
+        std::process::exit(1);
+    });
 }
 
 fn list() {

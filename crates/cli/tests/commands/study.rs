@@ -114,6 +114,47 @@ fn one_two_and_seven_shards_and_a_study_that_was_killed_are_equal_to_the_bit() {
 }
 
 #[test]
+fn a_study_is_given_up_when_its_input_ends_and_whole_shards_stay() {
+    let folder = Folder::with_plan("input", PLAN);
+    let words = [
+        "study",
+        "plan.toml",
+        "--out",
+        "given-up",
+        "--runs-per-shard",
+        "2",
+        "--threads",
+        "1",
+        "--until",
+        "input-ends",
+    ];
+    let mut program = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+        .current_dir(&folder.0)
+        .args(words)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let begun = Instant::now();
+    while folder.shards("given-up") < 3 && begun.elapsed() < Duration::from_mins(1) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let flown = folder.shards("given-up");
+    drop(program.stdin.take());
+    let ended = program.wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&ended.stderr);
+    assert_eq!(ended.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("Given up: the standard input has ended."),
+        "{said}"
+    );
+    let left = folder.shards("given-up");
+    assert!((flown..14).contains(&left), "{left} shards");
+    assert!(!folder.0.join("given-up/rows.parquet").exists());
+}
+
+#[test]
 fn a_study_that_may_stop_does_so_at_the_same_flight_however_it_is_cut() {
     let plan = format!("{PLAN}\nstop = {{ measure = \"near\", half_width = 0.3, every = 4 }}\n");
     let folder = Folder::with_plan("stop", &plan);
