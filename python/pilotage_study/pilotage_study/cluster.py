@@ -39,6 +39,13 @@ def _named(shards: tuple[int, ...]) -> str:
     return f"shards {', '.join(map(str, shards))}"
 
 
+def _lost(shards: tuple[int, ...], times: int, last: BaseException) -> str:
+    """That shards were lost too often, in words."""
+    were = "was" if len(shards) == 1 else "were"
+    often = f"{times} times, the last time so" if times > 1 else "once"
+    return f"{_named(shards)} {were} lost {often}: {last}"
+
+
 def _pieces(missing: tuple[int, ...], threads: int) -> Iterator[tuple[int, ...]]:
     each = max(1, min(MOST_SHARDS, len(missing) // (TASKS_EACH * max(1, threads))))
     for first in range(0, len(missing), each):
@@ -97,7 +104,7 @@ def _fly_round(text, out, client, program, runs_per_shard, tries, description, t
                 keep(out, *future.result())
             except (KilledWorker, CancelledError) as loss:
                 if tried >= tries:
-                    raise StudyFailure(f"{_named(shards)} were lost {tried} times, the last time so: {loss}") from loss
+                    raise StudyFailure(_lost(shards, tried, loss)) from loss
                 again = submit(shards)
                 left[again] = (shards, tried + 1)
                 flown.add(again)
