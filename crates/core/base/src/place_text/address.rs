@@ -51,18 +51,24 @@ pub(super) fn read(text: &str) -> Option<Result<Geodetic, PlaceTextError>> {
 
 /// Whether a text has the form of an address, of the web or of `geo:`, which may name a place.
 pub fn is_map_address(text: &str) -> bool {
-    let text = text.trim().to_uppercase();
-    text.starts_with("GEO:") || is_address(&text)
+    let text = text.trim();
+    begins(text, "geo:") || is_address(text)
 }
 
-/// Whether a text is an address of the web, with its scheme or without it: `MAPS.GOOGLE.COM/…`.
+/// Whether a text is an address of the web, with its scheme or without it: `maps.google.com/…`.
 fn is_address(text: &str) -> bool {
     let host = text.split(['/', '?', '#']).next().unwrap_or("");
     let end = host.rsplit_once('.').map_or("", |(_, end)| end);
     let is_host = end.len() > 1 && end.bytes().all(|b| b.is_ascii_alphabetic());
-    text.starts_with("HTTP://")
-        || text.starts_with("HTTPS://")
+    begins(text, "http://")
+        || begins(text, "https://")
         || is_host && host.len() < text.len() && !host.contains(char::is_whitespace)
+}
+
+/// Whether a text begins with `scheme`, in capitals or not.
+fn begins(text: &str, scheme: &str) -> bool {
+    let begin = text.as_bytes().get(..scheme.len());
+    begin.is_some_and(|begin| begin.eq_ignore_ascii_case(scheme.as_bytes()))
 }
 
 /// The address with its signs as they are meant.
