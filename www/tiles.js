@@ -108,11 +108,11 @@ export async function fetchTiles(addresses, storage = globalThis.caches, most = 
 
 /** Puts a tile into the cache of areas; throws where it cannot be had or kept. */
 async function downloadTile(kept, address) {
+  if (await kept.areas.match(address)) return;
   // Whoever looks at it just now keeps it in another cache.
   while (underWay.has(address)) await underWay.get(address).catch(() => undefined);
   const { refusal } = await once(address, async () => {
     const found = await keptTile(kept, address);
-    if (await kept.areas.match(address)) return { bytes: found, isNew: false };
     const bytes = found ?? await fromServer(address);
     const refusal = bytes.length > 0 ? await kept.areas.put(address, new Response(bytes)).catch((error) => error) : undefined;
     if (!refusal) await kept.younger.delete(address);
