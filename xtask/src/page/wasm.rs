@@ -10,6 +10,7 @@ use wasm_bindgen_cli_support::Bindgen;
 use super::{
     machine_paths, never_called,
     profile::{PROGRAMS, Profile, TARGET, module_name},
+    side_by_side::side_by_side,
 };
 use crate::{built, compiler, failure::Failure, places, process, progress::step};
 
@@ -32,24 +33,28 @@ pub fn ensure_target() -> Result<(), Failure> {
     })
 }
 
-/// Compiles the crates of the page and of its workers.
+/// Compiles the crates of the page and of its workers, what is of another profile at the same time: each program ends
+/// with one core at work on all of it, while the other has nothing left to do.
 pub fn compile(profile: Profile) -> Result<(), Failure> {
-    let mut left: Vec<&str> = PROGRAMS.to_vec();
-    while let Some(first) = left.first() {
-        let name = profile.of_program(first);
-        let (alike, others): (Vec<&str>, _) = left
-            .iter()
-            .partition(|package| profile.of_program(package) == name);
+    let groups: Vec<Vec<&str>> = PROGRAMS
+        .chunk_by(|one, other| profile.of_program(one) == profile.of_program(other))
+        .map(<[&str]>::to_vec)
+        .collect();
+    // Several lines of progress would write over each other: that of what takes longest is shown.
+    let longest = groups.iter().map(Vec::len).max();
+    side_by_side(&groups, |group| {
+        let name = profile.of_program(group[0]);
         let mut cargo = process::cargo(&["build", "--locked", "--lib"]);
-        cargo.args(alike.iter().flat_map(|package| ["-p", package]));
+        if Some(group.len()) != longest {
+            cargo.arg("--quiet");
+        }
+        cargo.args(group.iter().flat_map(|package| ["-p", package]));
         cargo.args(["--target", TARGET, "--profile", name]);
         cargo.args(machine_paths::left_out()?);
         without_flags(&mut cargo);
         compiler::take_place(&mut cargo)?;
-        process::run(&mut cargo, "cargo came with rustup")?;
-        left = others;
-    }
-    Ok(())
+        process::run(&mut cargo, "cargo came with rustup")
+    })
 }
 
 /// The program of a package as the compiler leaves it, with its names.
