@@ -1,7 +1,6 @@
 //! The table of landmarks: name, size, how often each is found; sorted as the user likes.
 
 use pilotage_core::sorting::sort;
-use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use egui::{Align2, Modifiers, Response, Role, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
@@ -13,7 +12,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{muted, text_button};
 use crate::tokens::Tokens;
-use crate::views::landmark_row;
+use crate::views::{landmark_row, rows_in_view};
 
 /// Column that the table is sorted by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -78,12 +77,11 @@ impl LandmarkTable {
         let mission = context.mission;
         let mut rows: Vec<&Landmark> = mission.landmarks.iter().collect();
         rows.retain(|l| fits(l, &self.filter));
-        sort(&mut rows, &|a, b| self.order(a, b, assessments));
+        self.sort(&mut rows, assessments);
         let ids: Vec<u32> = rows.iter().map(|l| l.id).collect();
         self.filter(ui, &ids, context);
         let categories = mission.landmarks.iter().any(|l| !l.category().is_empty());
         self.header(ui, context.tokens, categories);
-        ui.spacing_mut().item_spacing.y = 0.0;
         // What is selected elsewhere is what is marked here.
         let strange = context
             .selection
@@ -91,23 +89,23 @@ impl LandmarkTable {
         if strange || context.selection.is_none() && self.marked.len() < 2 {
             self.marked = context.selection.into_iter().collect();
         }
-        for landmark in rows {
-            let top = ui.cursor().min;
-            if row(
-                ui,
-                landmark,
-                self.marked.contains(&landmark.id),
-                categories,
-                assessments,
-                context,
-            ) {
+        let (top, height) = (ui.cursor().top(), context.tokens.target());
+        rows_in_view(ui, rows.len(), height, |ui, number| {
+            let landmark = rows[number];
+            let is_marked = self.marked.contains(&landmark.id);
+            if row(ui, landmark, is_marked, categories, assessments, context) {
                 let keys = click_modifiers(ui);
                 self.click(landmark.id, &ids, keys, context);
             }
-            if strange && context.selection == Some(landmark.id) {
-                let bottom = egui::pos2(ui.max_rect().right(), ui.cursor().top());
-                ui.scroll_to_rect(egui::Rect::from_min_max(top, bottom), None);
-            }
+        });
+        let chosen = context.selection.filter(|_| strange);
+        if let Some(number) = ids.iter().position(|id| Some(*id) == chosen) {
+            let top = top + number as f32 * height;
+            let across = ui.max_rect().x_range();
+            ui.scroll_to_rect(
+                egui::Rect::from_x_y_ranges(across, top..=top + height),
+                None,
+            );
         }
         if ids.is_empty() {
             let words = "No landmark has these words in its name, category or notes.";
@@ -178,28 +176,38 @@ impl LandmarkTable {
         context.commands.push(Command::SelectLandmark(selected));
     }
 
-    fn order(&self, a: &Landmark, b: &Landmark, assessments: &Assessments) -> Ordering {
-        let area = |l: &Landmark| l.bounds.width() * l.bounds.height();
-        let found = |l: &Landmark| assessments.of(l).map(|m| m.last.expected.probability());
-        let order = match self.by {
-            LandmarkColumn::Order => Ordering::Equal,
-            LandmarkColumn::Name => a.name.to_lowercase().cmp(&b.name.to_lowercase()),
-            LandmarkColumn::Category => a
-                .category()
-                .to_lowercase()
-                .cmp(&b.category().to_lowercase()),
-            LandmarkColumn::Size => area(a).total_cmp(&area(b)),
-            LandmarkColumn::Found => {
-                // Those that nobody tested come before the worst.
-                let of = |l| found(l).unwrap_or(-1.0);
-                of(a).total_cmp(&of(b))
+    /// Sorts rows as the user likes; what each is sorted by is asked once.
+    fn sort(&self, rows: &mut Vec<&Landmark>, assessments: &Assessments) {
+        let key = |l: &Landmark| -> (String, f64) {
+            match self.by {
+                LandmarkColumn::Order => Default::default(),
+                LandmarkColumn::Name => (l.name.to_lowercase(), 0.0),
+                LandmarkColumn::Category => (l.category().to_lowercase(), 0.0),
+                LandmarkColumn::Size => (String::new(), l.bounds.width() * l.bounds.height()),
+                LandmarkColumn::Found => {
+                    let measured = assessments.of(l);
+                    // Those that nobody tested come before the worst.
+                    let found = measured.map_or(-1.0, |m| m.last.expected.probability());
+                    (String::new(), found)
+                }
             }
         };
-        if self.descending {
-            order.reverse()
-        } else {
-            order
+        if self.by == LandmarkColumn::Order {
+            return;
         }
+        let mut keyed: Vec<_> = rows
+            .iter()
+            .map(|landmark| (key(landmark), *landmark))
+            .collect();
+        sort(&mut keyed, &|((a, x), _), ((b, y), _)| {
+            let order = a.cmp(b).then(x.total_cmp(y));
+            if self.descending {
+                order.reverse()
+            } else {
+                order
+            }
+        });
+        *rows = keyed.into_iter().map(|(_, landmark)| landmark).collect();
     }
 
     fn header(&mut self, ui: &mut Ui, tokens: &Tokens, categories: bool) {

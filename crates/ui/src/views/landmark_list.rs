@@ -8,6 +8,7 @@ use pilotage_core::landmark::Landmark;
 
 use super::heat_image::heat_image;
 use super::landmark_row::landmark_row;
+use super::rows_in_view::rows_in_view;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
@@ -82,7 +83,9 @@ impl LandmarkList {
             ui.add_space(tokens.space);
         }
         ui.add_space(4.0);
-        for landmark in &context.mission.landmarks {
+        let landmarks = &context.mission.landmarks;
+        rows_in_view(ui, landmarks.len(), tokens.target(), |ui, number| {
+            let landmark = &landmarks[number];
             let is_selected = context.selection == Some(landmark.id);
             let row = landmark_row(ui, context, landmark, is_selected, &landmark.name, |row| {
                 row.name(row.rect);
@@ -91,7 +94,7 @@ impl LandmarkList {
                 let chosen = (!is_selected).then_some(landmark.id);
                 context.commands.push(Command::SelectLandmark(chosen));
             }
-        }
+        });
     }
 
     /// Draws what is known of the selected landmark.

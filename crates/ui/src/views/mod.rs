@@ -20,6 +20,7 @@ pub(crate) mod picking;
 #[cfg(test)]
 pub(crate) mod pictures;
 mod plots;
+mod rows_in_view;
 #[cfg(test)]
 mod shown;
 pub(crate) mod sighted;
@@ -37,4 +38,5 @@ pub use plots::PlotsView;
 pub(crate) use plots::draw::{TimeCurve, line as curve_line, polylines as curve_points};
 pub(crate) use plots::pyramid::ExtentPyramid;
 pub(crate) use plots::{DEAD_RECKONING_AFTER, placed_lately};
+pub use rows_in_view::rows_in_view;
 pub(crate) use time_axis::TimeAxis;
