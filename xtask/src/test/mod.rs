@@ -32,7 +32,6 @@ pub use changed::{Reach, reach};
 use native::{Extent, Packages};
 pub use native::{format_all, store_first_seconds};
 use program::CheckProgram;
-use programs::Outcomes;
 use table::Table;
 
 /// Choice of the checks that are run, and of the packages that they are run on.
@@ -67,15 +66,17 @@ fn fetch(oracles: bool, browser: bool) -> JoinHandle<()> {
 /// Checks of lines of their own that ran among the native tests.
 #[derive(Default)]
 struct Ran {
-    /// The tests that asked other people's programs, if they did.
-    oracles: Option<Outcomes>,
+    /// How those that ask other people's programs went, if they did.
+    oracles: Option<Result<(), Failure>>,
+    /// How the tests of the package for Python went.
+    package: Option<Result<(), Failure>>,
     /// Whether the demo was flown.
     demo: bool,
 }
 
 impl Ran {
-    /// Runs the native tests. Those of a full run ask other people's programs, and the demo is flown for the journeys
-    /// beside them: neither keeps more than one core busy.
+    /// Runs the native tests. Those of a full run ask other people's programs; the package for Python is tested and the
+    /// demo flown for the journeys among them: none keeps more than one core busy.
     fn tests(
         &mut self,
         packages: &Packages,
@@ -85,32 +86,40 @@ impl Ran {
         let is_full = !choice.quick && choice.only.is_none();
         let python = (is_full && packages.hold("pilotage-tests")).then(oracles::interpreter);
         let python = python.and_then(Result::ok);
-        let python = python.as_deref().map(Path::to_string_lossy);
-        let demo = browser::words_for_demo();
-        let demo: Vec<&str> = demo.iter().map(String::as_str).collect();
         let flies = is_full && page && packages.hold("pilotage-cli");
+        let package = python
+            .as_deref()
+            .filter(|_| packages.hold(extension::PACKAGE));
+        let beside = |told: &str| {
+            let Some(terminal) = program::terminal(told) else {
+                return Vec::new();
+            };
+            // Where it cannot be built its own check tries again, and tells why.
+            let package =
+                package.and_then(|python| python::tests(&terminal.executable, python).ok());
+            let demo = flies.then(|| CheckProgram {
+                arguments: browser::words_for_demo(),
+                ..terminal
+            });
+            demo.into_iter().chain(package).collect()
+        };
+        let asked = python.as_deref().map(Path::to_string_lossy);
         let extent = Extent {
             studies: choice.studies,
             quick: choice.quick,
-            python: python.as_deref(),
-            beside: flies.then_some(&demo),
+            python: asked.as_deref(),
+            beside: &beside,
         };
         let outcomes = native::tests(packages, &extent)?;
-        let tested = outcomes.judge(|one| python.is_none() || !one.asks_oracles());
-        self.demo = flies && outcomes.has_passed(|one| !one.arguments.is_empty());
-        self.oracles = python.is_some().then_some(outcomes);
+        let tested = outcomes
+            .judge(|one| !python::are_tests(one) && (python.is_none() || !one.asks_oracles()));
+        self.demo = outcomes.has_passed(|one| !one.arguments.is_empty() && !python::are_tests(one));
+        self.package = outcomes.judged(python::are_tests);
+        self.oracles = python.and_then(|_| outcomes.judged(CheckProgram::asks_oracles));
         if choice.quick {
             return tested;
         }
         tested.and(native::examples(packages))
-    }
-
-    /// Judges the tests that ask other people's programs, or runs them.
-    fn oracles(&self) -> Result<(), Failure> {
-        match &self.oracles {
-            Some(outcomes) => outcomes.judge(CheckProgram::asks_oracles),
-            None => oracles::check(),
-        }
     }
 }
 
@@ -155,10 +164,14 @@ pub fn run(choice: &CheckChoice) -> Result<ExitCode, Failure> {
             table.check("documentation", || native::documentation(&packages));
         }
         if packages.hold("pilotage-tests") {
-            table.check("oracles", || ran.oracles());
+            table.check("oracles", || {
+                ran.oracles.take().unwrap_or_else(oracles::check)
+            });
         }
         if packages.hold(extension::PACKAGE) {
-            table.check("package for Python", python::check);
+            table.check("package for Python", || {
+                ran.package.take().unwrap_or_else(python::check)
+            });
         }
     }
     if !choice.quick && page_is_reached {

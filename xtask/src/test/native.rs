@@ -8,6 +8,7 @@
 use super::{
     Reach, documented, extension, linted,
     linted::native_cargo,
+    program::CheckProgram,
     programs::{self, Manner, Outcomes},
 };
 use std::fs;
@@ -215,7 +216,6 @@ pub fn house_rules() -> Result<(), Failure> {
 }
 
 /// Extent of the native tests.
-#[derive(Debug)]
 pub struct Extent<'a> {
     /// All seeds of studies (`tests/src/studies.rs`).
     pub studies: bool,
@@ -223,8 +223,8 @@ pub struct Extent<'a> {
     pub quick: bool,
     /// Interpreter with other people's programs, for the tests that ask them.
     pub python: Option<&'a str>,
-    /// Words for the program of the terminal, which runs beside the tests.
-    pub beside: Option<&'a [&'a str]>,
+    /// Programs that run among the tests, by what cargo said of what it built.
+    pub beside: &'a dyn Fn(&str) -> Vec<CheckProgram>,
 }
 
 /// Every test program.

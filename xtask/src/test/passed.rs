@@ -158,6 +158,7 @@ mod tests {
             executable: folder.join("b"),
             folder: sources,
             arguments: Vec::new(),
+            environment: Vec::new(),
         };
         (folder, one)
     }

@@ -1,6 +1,9 @@
 //! A test program, as cargo tells of it, and what is known of how long it takes.
 
-use std::path::{Path, PathBuf};
+use std::{
+    ffi::OsString,
+    path::{Path, PathBuf},
+};
 
 use serde_json::Value;
 
@@ -25,6 +28,9 @@ const EARLY: [&str; 14] = [
     "train",
 ];
 
+/// The program that a terminal runs.
+const TERMINAL: &str = "pilotage";
+
 /// Packages that link all others, whose tests `--quick` runs where their own sources changed since they passed: what
 /// changed below them has tests of its own, and the lints compile them against it.
 pub const SURFACES: [&str; 3] = ["pilotage-jobs", "pilotage-ui", "pilotage-cli"];
@@ -40,6 +46,8 @@ pub struct CheckProgram {
     pub folder: PathBuf,
     /// Words that it is given.
     pub arguments: Vec<String>,
+    /// Variables that it finds beside those of all.
+    pub environment: Vec<(&'static str, OsString)>,
 }
 
 impl CheckProgram {
@@ -70,8 +78,16 @@ pub fn of_message(line: &str) -> Option<CheckProgram> {
     program(&message)
 }
 
+/// The program of the terminal, if cargo's `messages` tell of it.
+pub fn terminal(messages: &str) -> Option<CheckProgram> {
+    let mut found = messages
+        .lines()
+        .filter_map(|line| named_in_message(TERMINAL, line));
+    found.next()
+}
+
 /// The program `name`, which is no test, if it is what a message of cargo tells of.
-pub fn named_in_message(name: &str, line: &str) -> Option<CheckProgram> {
+fn named_in_message(name: &str, line: &str) -> Option<CheckProgram> {
     let message: Value = serde_json::from_str(line).ok()?;
     let is_named = message["target"]["name"] == name && message["target"]["kind"][0] == "bin";
     let is_test = message["profile"]["test"].as_bool()?;
@@ -93,6 +109,7 @@ fn program(message: &Value) -> Option<CheckProgram> {
         executable,
         folder: folder.to_owned(),
         arguments: Vec::new(),
+        environment: Vec::new(),
     })
 }
 

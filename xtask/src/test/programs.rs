@@ -13,16 +13,13 @@ use std::{
 use super::{
     linted::native_cargo,
     passed::{Passed, Print, Sources},
-    program::{CheckProgram, LONG, SURFACES, named_in_message, of_message},
+    program::{CheckProgram, LONG, SURFACES, of_message},
 };
 use crate::{
     failure::Failure,
     metadata,
     process::{CARGO_ADVICE, capture, program, succeed},
 };
-
-/// The program that a terminal runs.
-const TERMINAL: &str = "pilotage";
 
 /// Line that an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
 const SKIPPED: &str = "skipped: no oracle interpreter";
@@ -42,6 +39,12 @@ impl Outcomes {
         outcomes.any(|(one, has_passed)| *has_passed && these(one))
     }
 
+    /// How `these` went, or `None` where none of them was run.
+    pub fn judged(&self, these: impl Fn(&CheckProgram) -> bool) -> Option<Result<(), Failure>> {
+        let were_run = self.0.iter().any(|(one, _)| these(one));
+        were_run.then(|| self.judge(these))
+    }
+
     /// Fails with the names of those among `these` that did.
     pub fn judge(&self, these: impl Fn(&CheckProgram) -> bool) -> Result<(), Failure> {
         let outcomes = self.0.iter();
@@ -58,13 +61,13 @@ impl Outcomes {
 }
 
 /// Builds the tests of the packages that `arguments` choose and runs them in this manner. `quick` leaves out what takes
-/// long and what has not changed since it passed; `beside` is what the program of the terminal is told in a run of its
-/// own, while the others run.
+/// long and what has not changed since it passed; `beside` tells by what cargo said of what it built which programs run
+/// among the tests that cargo does not know as such.
 pub fn test(
     arguments: &[&str],
     manner: &Manner<'_>,
     quick: bool,
-    beside: Option<&[&str]>,
+    beside: &dyn Fn(&str) -> Vec<CheckProgram>,
 ) -> Result<Outcomes, Failure> {
     let sources = Sources::of(folders_of_surfaces()?);
     let told = build(arguments)?;
@@ -100,18 +103,9 @@ pub fn test(
             SURFACES.join(" and "),
         );
     }
-    if let Some(arguments) = beside {
-        let mut terminal = told
-            .lines()
-            .filter_map(|line| named_in_message(TERMINAL, line));
-        let terminal = terminal.next().map(|terminal| CheckProgram {
-            arguments: arguments.iter().map(ToString::to_string).collect(),
-            ..terminal
-        });
-        // After the longest: whoever needs what it makes comes after all of them.
-        let place = programs.len().min(LONG.len());
-        programs.splice(place..place, terminal);
-    }
+    // After the longest: whoever needs what they make comes after all of them.
+    let place = programs.len().min(LONG.len());
+    programs.splice(place..place, beside(&told));
     let outcomes = run_all(programs, manner, &print);
     for (one, has_passed) in outcomes
         .0
@@ -172,6 +166,11 @@ impl<'a> Manner<'a> {
     }
 }
 
+/// Runs one program, which must pass.
+pub fn run(one: CheckProgram) -> Result<(), Failure> {
+    run_all(vec![one], &Manner::default(), &print).judge(|_| true)
+}
+
 fn print(told: &str) {
     // A closed pipe is no reason to stop.
     let _ = writeln!(std::io::stdout(), "{told}");
@@ -223,6 +222,7 @@ fn run_one(one: &CheckProgram, manner: &Manner<'_>) -> (bool, String) {
     command.env("CARGO_MANIFEST_DIR", &one.folder);
     command.env("RUST_TEST_THREADS", "1");
     command.envs(manner.environment.iter().copied());
+    command.envs(one.environment.iter().map(|(name, value)| (name, value)));
     command.args(&one.arguments);
     let skipped = manner.skipped.filter(|_| one.asks_oracles());
     if skipped.is_some() {
@@ -240,7 +240,9 @@ fn run_one(one: &CheckProgram, manner: &Manner<'_>) -> (bool, String) {
         }
         Err(error) => (false, error.to_string()),
     };
-    let result = said.lines().rfind(|line| line.starts_with("test result"));
+    let result = said
+        .lines()
+        .rfind(|line| line.starts_with("test result") || line.contains(" passed"));
     let result = result
         .unwrap_or("ended without an error")
         .trim_start_matches("test result: ");
@@ -267,6 +269,7 @@ mod tests {
             executable: PathBuf::from("/nowhere/b"),
             folder: std::env::temp_dir(),
             arguments: Vec::new(),
+            environment: Vec::new(),
         };
         let said = Mutex::new(Vec::new());
         let tell = |told: &str| said.lock().unwrap().push(told.to_owned());
@@ -276,6 +279,10 @@ mod tests {
             !outcomes.has_passed(|_| true)
                 && outcomes.judge(|_| true).is_err()
                 && outcomes.judge(CheckProgram::asks_oracles).is_ok()
+                && outcomes.judged(CheckProgram::asks_oracles).is_none()
+                && outcomes
+                    .judged(|_| true)
+                    .is_some_and(|judged| judged.is_err())
         );
         let said = said.into_inner().unwrap();
         assert!(

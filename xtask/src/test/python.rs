@@ -5,13 +5,17 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{extension, linted, native::PACKAGES, oracles, program::named_in_message};
-use crate::{
-    built,
-    failure::Failure,
-    places,
-    process::{program, run},
+use super::{
+    extension, linted,
+    native::PACKAGES,
+    oracles,
+    program::{CheckProgram, terminal},
+    programs,
 };
+use crate::{built, failure::Failure, places};
+
+/// Name of the package's tests among other programs.
+const TESTS: &str = "pilotage-python/pytest";
 
 /// Name of the extension within the package, whichever Python loads it.
 const EXTENSION: &str = if cfg!(windows) {
@@ -20,31 +24,53 @@ const EXTENSION: &str = if cfg!(windows) {
     "_native.abi3.so"
 };
 
-/// Builds the package, puts it together under cargo's folder and runs its tests, which ask other people's programs too.
+/// Runs the package's tests.
 pub fn check() -> Result<(), Failure> {
+    let tests = tests(&built_terminal()?, &oracles::interpreter()?)?;
+    programs::run(tests)
+}
+
+/// Whether `one` are the package's tests.
+pub fn are_tests(one: &CheckProgram) -> bool {
+    one.name == TESTS
+}
+
+/// Builds the package, puts it together under cargo's folder and tells how its tests are run, which ask other people's
+/// programs too: by the interpreter `python` that has them, beside `terminal`.
+pub fn tests(terminal: &Path, python: &Path) -> Result<CheckProgram, Failure> {
     let library = extension::build()?;
-    let terminal = terminal()?;
-    let sources = places::root().join("python/pilotage");
     let package = built::target().join("python");
     put_together(
-        &sources.join("python/pilotage"),
+        &sources().join("python/pilotage"),
         &package.join("pilotage"),
         &library,
     )?;
-    let mut pytest = program(oracles::interpreter()?);
-    pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider"]);
-    pytest.arg(&sources);
-    pytest.env("PYTHONPATH", &package);
-    pytest.env("PYTHONDONTWRITEBYTECODE", "1");
-    pytest.env("PILOTAGE_PROGRAM", terminal);
-    run(
-        &mut pytest,
-        "the oracles' Python has what tests/oracles/requirements.txt says",
-    )
+    Ok(tests_over(&package, terminal, python))
+}
+
+/// How the tests over the package that is put together in `package` are run.
+fn tests_over(package: &Path, terminal: &Path, python: &Path) -> CheckProgram {
+    let words = ["-m", "pytest", "-q", "-p", "no:cacheprovider"];
+    CheckProgram {
+        name: TESTS.to_owned(),
+        executable: python.to_owned(),
+        folder: sources(),
+        arguments: words.map(ToOwned::to_owned).into(),
+        environment: vec![
+            ("PYTHONPATH", package.into()),
+            ("PYTHONDONTWRITEBYTECODE", "1".into()),
+            ("PILOTAGE_PROGRAM", terminal.into()),
+        ],
+    }
+}
+
+/// The folder of the package.
+fn sources() -> PathBuf {
+    places::root().join("python/pilotage")
 }
 
 /// The program of the terminal, beside which the tests hold the package, as the native tests have it.
-fn terminal() -> Result<PathBuf, Failure> {
+fn built_terminal() -> Result<PathBuf, Failure> {
     let arguments = [
         &["test", "--no-run"],
         &PACKAGES[..],
@@ -52,10 +78,7 @@ fn terminal() -> Result<PathBuf, Failure> {
     ]
     .concat();
     let messages = linted::compile(&arguments)?;
-    let mut programs = messages
-        .lines()
-        .filter_map(|line| named_in_message("pilotage", line));
-    let program = programs.next().map(|program| program.executable);
+    let program = terminal(&messages).map(|program| program.executable);
     program.ok_or_else(|| Failure::Check("cargo names no program `pilotage`".to_owned()))
 }
 
@@ -88,6 +111,25 @@ fn is_text(file: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_package_is_tested_beside_the_terminal_that_was_built() {
+        let tests = tests_over(
+            Path::new("/p/package"),
+            Path::new("/p/pilotage"),
+            Path::new("/p/python"),
+        );
+        assert!(are_tests(&tests) && !tests.asks_oracles());
+        assert_eq!(tests.executable, Path::new("/p/python"));
+        let found = |name: &str| {
+            let mut variables = tests.environment.iter();
+            variables
+                .find(|(other, _)| *other == name)
+                .map(|(_, value)| value.as_os_str())
+        };
+        assert_eq!(found("PYTHONPATH"), Some("/p/package".as_ref()));
+        assert_eq!(found("PILOTAGE_PROGRAM"), Some("/p/pilotage".as_ref()));
+    }
 
     #[test]
     fn the_package_has_its_files_and_the_extension_of_this_build_only() {
