@@ -1,10 +1,10 @@
 """Answers with FilterPy's estimates on a flight in wind past landmarks, and with those of Table 3
 of DeAngelo 2016 in 60 decimal digits.
 
-Question: alpha, beta, carried_through, step (s), height (m), focal_length, principal_point (px),
+Question: a list; each has alpha, beta, carried_through, step (s), height (m), focal_length, principal_point (px),
 mean, covariance, process_noise, measurement_noise, exact (whether to compute the second answer),
 steps of {air_velocity, camera_from_world, landmark, pixel}.
-Answer: filterpy and exact (or null), each a list per step of {mean, covariance, nis}.
+Answer: a list; each has filterpy and exact (or null), each a list per step of {mean, covariance, nis}.
 """
 
 import json
@@ -157,9 +157,11 @@ def table_3(question):
 
 
 if __name__ == "__main__":
-    asked = json.load(sys.stdin)
-    answer = {
-        "filterpy": list(filterpy(asked)),
-        "exact": list(table_3(asked)) if asked["exact"] else None,
-    }
-    json.dump(answer, sys.stdout)
+    answers = [
+        {
+            "filterpy": list(filterpy(asked)),
+            "exact": list(table_3(asked)) if asked["exact"] else None,
+        }
+        for asked in json.load(sys.stdin)
+    ]
+    json.dump(answers, sys.stdout)

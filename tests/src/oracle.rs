@@ -37,6 +37,8 @@ pub fn ask<Question: Serialize, Answer: DeserializeOwned>(
     let mut process = Command::new(&interpreter)
         .arg(&place)
         .env("PYTHONDONTWRITEBYTECODE", "1")
+        // Threads that wait for products of matrices keep a core busy: test programs have one each.
+        .env("OPENBLAS_NUM_THREADS", "1")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -69,9 +71,15 @@ pub fn ask<Question: Serialize, Answer: DeserializeOwned>(
 
 /// Bytes as hexadecimal digits, for a script to read.
 pub fn hex_of_bytes(bytes: &[u8]) -> String {
-    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
-    let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
-    letters.collect()
+    const DIGITS: [char; 16] = [
+        '0', '1', '2', '3', '4', '5', '6', '7', '8', '9', 'a', 'b', 'c', 'd', 'e', 'f',
+    ];
+    let mut text = String::with_capacity(2 * bytes.len());
+    for byte in bytes {
+        text.push(DIGITS[usize::from(*byte >> 4)]);
+        text.push(DIGITS[usize::from(*byte & 15)]);
+    }
+    text
 }
 
 /// The bytes that a script writes as hexadecimal digits.
@@ -79,11 +87,19 @@ pub fn hex_of_bytes(bytes: &[u8]) -> String {
 /// # Panics
 /// If there are other letters: that is a failed test.
 pub fn bytes_of_hex(hex: &str) -> Vec<u8> {
-    let digit = |letter: u8| {
-        let digit = char::from(letter).to_digit(16);
-        digit.unwrap_or_else(|| panic!("{letter} is no hexadecimal digit")) as u8
-    };
-    (hex.as_bytes().chunks_exact(2))
-        .map(|pair| digit(pair[0]) << 4 | digit(pair[1]))
-        .collect()
+    let mut bytes = Vec::with_capacity(hex.len() / 2);
+    let mut above = None;
+    for letter in hex.bytes() {
+        let digit = match letter {
+            b'0'..=b'9' => letter - b'0',
+            b'a'..=b'f' => letter - b'a' + 10,
+            b'A'..=b'F' => letter - b'A' + 10,
+            _ => panic!("{} is no hexadecimal digit", char::from(letter)),
+        };
+        match above.take() {
+            Some(above) => bytes.push(above << 4 | digit),
+            None => above = Some(digit),
+        }
+    }
+    bytes
 }

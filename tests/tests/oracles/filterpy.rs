@@ -137,24 +137,34 @@ fn estimate(belief: &Gaussian<4>, nis: f64) -> Estimate {
     }
 }
 
+/// Asks FilterPy about each of the `settings` over so many steps, in one go: importing it takes a second.
+fn ask_filterpy(steps: usize, settings: &[UnscentedSettings], exact: bool) -> Option<Vec<Answer>> {
+    let questions = settings
+        .iter()
+        .map(|settings| question(steps, *settings, exact));
+    let answers: Vec<Answer> = ask("filterpy_ukf.py", &questions.collect::<Vec<_>>())?;
+    assert_eq!(answers.len(), settings.len());
+    Some(answers)
+}
+
 #[test]
 fn the_filter_equals_filterpy_to_1e_9_over_a_thousand_steps() {
-    for redraw in [Redraw::AfterProcessNoise, Redraw::CarriedThrough] {
-        for (alpha, beta) in [(1.0, 2.0), (1.0, 0.0), (0.5, 2.0), (0.1, 2.0), (0.1, 1.0)] {
-            let settings = UnscentedSettings {
-                alpha,
-                beta,
-                redraw,
-            };
-            let Some(answer) =
-                ask::<_, Answer>("filterpy_ukf.py", &question(1000, settings, false))
-            else {
-                return;
-            };
-            let difference = worst(&ours(1000, settings), &answer.filterpy);
-            println!("{redraw:?}, alpha {alpha}, beta {beta}: differs by {difference:.1e}");
-            assert!(difference < 1e-9, "{settings:?}: {difference:e}");
-        }
+    let weights = [(1.0, 2.0), (1.0, 0.0), (0.5, 2.0), (0.1, 2.0), (0.1, 1.0)];
+    let settings = [Redraw::AfterProcessNoise, Redraw::CarriedThrough].map(|redraw| {
+        weights.map(|(alpha, beta)| UnscentedSettings {
+            alpha,
+            beta,
+            redraw,
+        })
+    });
+    let settings = settings.concat();
+    let Some(answers) = ask_filterpy(1000, &settings, false) else {
+        return;
+    };
+    for (settings, answer) in settings.into_iter().zip(answers) {
+        let difference = worst(&ours(1000, settings), &answer.filterpy);
+        println!("{settings:?}: differs by {difference:.1e}");
+        assert!(difference < 1e-9, "{settings:?}: {difference:e}");
     }
 }
 
@@ -163,27 +173,31 @@ fn the_filter_equals_filterpy_to_1e_9_over_a_thousand_steps() {
 /// every case when this was written; another processor may round otherwise, hence the half.
 #[test]
 fn with_small_alpha_the_filter_is_as_near_to_the_exact_answer_as_filterpy() {
-    for (alpha, bar) in [(1e-2, 2e-9), (1e-3, 2e-7), (1e-4, 2e-5)] {
-        for redraw in [Redraw::AfterProcessNoise, Redraw::CarriedThrough] {
+    let cases = [(1e-2, 2e-9), (1e-3, 2e-7), (1e-4, 2e-5)].map(|(alpha, bar)| {
+        [Redraw::AfterProcessNoise, Redraw::CarriedThrough].map(|redraw| {
             let settings = UnscentedSettings {
                 alpha,
                 beta: 2.0,
                 redraw,
             };
-            let Some(answer) = ask::<_, Answer>("filterpy_ukf.py", &question(100, settings, true))
-            else {
-                return;
-            };
-            let exact = answer.exact.expect("the exact answer was asked for");
-            let ours = worst(&ours(100, settings), &exact);
-            let theirs = worst(&answer.filterpy, &exact);
-            println!("{redraw:?}, alpha {alpha}: ours off by {ours:.1e}, FilterPy by {theirs:.1e}");
-            assert!(ours < bar, "{settings:?}: {ours:e}");
-            assert!(
-                ours < 1.5 * theirs,
-                "{settings:?}: {ours:e} against {theirs:e}"
-            );
-        }
+            (settings, bar)
+        })
+    });
+    let (settings, bars): (Vec<UnscentedSettings>, Vec<f64>) =
+        cases.as_flattened().iter().copied().unzip();
+    let Some(answers) = ask_filterpy(100, &settings, true) else {
+        return;
+    };
+    for ((settings, bar), answer) in settings.into_iter().zip(bars).zip(answers) {
+        let exact = answer.exact.expect("the exact answer was asked for");
+        let ours = worst(&ours(100, settings), &exact);
+        let theirs = worst(&answer.filterpy, &exact);
+        println!("{settings:?}: ours off by {ours:.1e}, FilterPy by {theirs:.1e}");
+        assert!(ours < bar, "{settings:?}: {ours:e}");
+        assert!(
+            ours < 1.5 * theirs,
+            "{settings:?}: {ours:e} against {theirs:e}"
+        );
     }
 }
 
