@@ -40,11 +40,16 @@ const ACTIONS: [&str; 8] = [
     "LAND",
 ];
 
+/// Commands to fly to a place at a height.
+const FLOWN_AT_HEIGHT: [&str; 3] = ["WAYPOINT", "POSHOLD_UNLIM", "POSHOLD_TIME"];
+
 /// Whether a text is such a mission, or begins as one: XML, the lines of INAV's terminal, or JSON of `mwp`.
 pub(super) fn is_inav(text: &str) -> bool {
     let head: String = text.chars().take(4096).collect();
     head.to_lowercase().contains("<missionitem")
-        || head.lines().any(|line| of_terminal(line).is_some())
+        || head
+            .lines()
+            .any(|line| matches!(of_terminal(line), Some(Ok(_))))
         || is_json(&head)
 }
 
@@ -58,14 +63,24 @@ fn is_json(head: &str) -> bool {
 }
 
 /// The command of a line of INAV's terminal: `wp 0 1 543533193 -45179273 3500 0 0 0 0`, which are the number, the command,
-/// the place in degrees ten million times, centimetres, three parameters and the flag.
-fn of_terminal(line: &str) -> Option<InavItem> {
-    let numbers = line.trim().strip_prefix("wp ")?.split_ascii_whitespace();
-    let numbers: Option<Vec<f64>> = numbers
-        .map(|word| word.parse::<i64>().ok().map(|n| n as f64))
-        .collect();
+/// the place in degrees ten million times, centimetres, three parameters and the flag; `None` of any other line, and of
+/// an entry that is not used.
+fn of_terminal(line: &str) -> Option<Result<InavItem, String>> {
+    let mut words = line.trim().strip_prefix("wp ")?.split_ascii_whitespace();
+    let number: i64 = words.next()?.parse().ok()?;
+    let rest: Vec<&str> = words.collect();
+    if rest.len() == 1 && rest[0].starts_with(char::is_alphabetic) {
+        // How many there are, as in `wp 3 valid`.
+        return None;
+    }
+    let mut numbers = Vec::new();
+    for word in rest {
+        match word.parse::<i64>() {
+            Ok(number) => numbers.push(number as f64),
+            Err(_) => return Some(Err(format!("`{word}` is no whole number"))),
+        }
+    }
     let &[
-        number,
         action,
         latitude,
         longitude,
@@ -74,39 +89,58 @@ fn of_terminal(line: &str) -> Option<InavItem> {
         second,
         third,
         flag,
-    ] = &numbers?[..]
+    ] = &numbers[..]
     else {
-        return None;
+        return Some(Err(format!(
+            "a command in INAV's terminal has 9 numbers, and this line has {}: it is cut short",
+            numbers.len() + 1
+        )));
     };
-    let action = *ACTIONS.get((action as usize).checked_sub(1)?)?;
+    if action == 0.0 {
+        return None;
+    }
+    let known = (action as usize)
+        .checked_sub(1)
+        .and_then(|index| ACTIONS.get(index));
+    let Some(action) = known else {
+        return Some(Err(format!("command {action} of INAV is not known")));
+    };
     // The terminal counts from zero, its files and programs from one.
-    let first = if action == "JUMP" { first + 1.0 } else { first };
-    Some(InavItem {
-        number: (number + 1.0).to_string(),
-        action: action.to_owned(),
+    let first = if *action == "JUMP" {
+        first + 1.0
+    } else {
+        first
+    };
+    Some(Ok(InavItem {
+        number: (number + 1).to_string(),
+        action: (*action).to_owned(),
         latitude: latitude / 1e7,
         longitude: longitude / 1e7,
         altitude: altitude * 0.01,
         parameters: [first, second, third],
         flag,
-    })
+    }))
 }
 
-/// The missions of JSON as `mwp` writes it.
-fn of_json(text: &str) -> Option<Vec<InavMission>> {
+/// The missions of JSON as `mwp` writes it; an error names the command that has it.
+fn of_json(text: &str) -> Option<Result<Vec<InavMission>, String>> {
     let root: Value = serde_json::from_str(text).ok()?;
-    let item = |item: &Value| {
-        let number = |name: &str| item.get(name).and_then(Value::as_f64).unwrap_or(0.0);
-        let place = ["lat", "lon"].map(|name| item.get(name).and_then(Value::as_f64));
-        Some(InavItem {
-            number: number("no").to_string(),
-            action: item.get("action")?.as_str()?.to_uppercase(),
-            latitude: place[0].unwrap_or(0.0),
-            longitude: place[1].unwrap_or(0.0),
-            altitude: number("alt"),
-            parameters: [number("p1"), number("p2"), number("p3")],
-            flag: number("flag"),
-        })
+    let item = |(index, item): (usize, &Value)| {
+        let number = |name: &str| match item.get(name) {
+            None | Some(Value::Null) => Ok(None),
+            Some(Value::String(text)) => number_in(name, text),
+            Some(value) => match value.as_f64() {
+                None => Err(format!("`{name}` is no number")),
+                number => Ok(number),
+            },
+        };
+        let action = item.get("action").and_then(Value::as_str);
+        let named = number("no").map(|no| no.unwrap_or(index as f64 + 1.0).to_string());
+        let read = named.and_then(|no| {
+            let action = action.ok_or("it has no `action`")?;
+            InavItem::of_numbers(no, action, ["p1", "p2", "p3"], number)
+        });
+        read.map_err(|cause| format!("command {} of the mission: {cause}", index + 1))
     };
     let home = |of: &Value| {
         let meta = of.get("meta").or_else(|| of.get("mwp"))?;
@@ -115,14 +149,25 @@ fn of_json(text: &str) -> Option<Vec<InavMission>> {
     };
     let mission = |of: &Value| {
         let items = of.get("mission").or_else(|| of.get("missionitems"))?;
-        Some(InavMission {
-            home: home(of).or_else(|| home(&root)),
-            items: items.as_array()?.iter().map(item).collect::<Option<_>>()?,
-        })
+        let items: Result<_, String> = items.as_array()?.iter().enumerate().map(item).collect();
+        let home = home(of).or_else(|| home(&root));
+        Some(items.map(|items| InavMission { home, items }))
     };
     match root.get("missions").and_then(Value::as_array) {
         Some(missions) if !missions.is_empty() => missions.iter().map(mission).collect(),
-        _ => Some(vec![mission(&root)?]),
+        _ => Some(mission(&root)?.map(|only| vec![only])),
+    }
+}
+
+/// The number that a text is, `None` of an empty one.
+fn number_in(name: &str, text: &str) -> Result<Option<f64>, String> {
+    if text.is_empty() {
+        return Ok(None);
+    }
+    let number = text.replacen(',', ".", 1).parse::<f64>().ok();
+    match number.filter(|number| number.is_finite()) {
+        None => Err(format!("{name}: `{text}` is no number")),
+        number => Ok(number),
     }
 }
 
@@ -136,6 +181,13 @@ fn stated_home(latitude: f64, longitude: f64) -> Option<Home> {
 pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
     let mut found = GeodeticContent::default();
     for InavMission { home, items } in missions(file, text)? {
+        // The terminal always writes it, other programs need not.
+        let is_open = items.last().is_some_and(|item| item.flag != LAST);
+        if is_open && text.lines().any(|line| of_terminal(line).is_some()) {
+            found.notes.push(format!(
+                "the last command does not say that it is the last ({LAST}): commands behind it may be missing"
+            ));
+        }
         let mut mission = Vec::new();
         for item in items {
             let is_last = item.flag == LAST;
@@ -162,15 +214,10 @@ pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeEr
 /// The missions of a text of any of the three forms.
 fn missions(file: &str, text: &str) -> Result<Vec<InavMission>, ExchangeError> {
     if let Some(missions) = of_json(text) {
-        let mut items = missions.iter().flat_map(|mission| &mission.items);
-        let fault = items.find_map(|item| Some((&item.number, item.place_fault()?)));
-        return match fault {
-            None => Ok(missions),
-            Some((number, cause)) => Err(ExchangeError::File {
-                file: file.to_owned(),
-                cause: format!("command {number} of the mission: {cause}"),
-            }),
-        };
+        return missions.map_err(|cause| ExchangeError::File {
+            file: file.to_owned(),
+            cause,
+        });
     }
     if !text.trim_start().starts_with('<') {
         let mut items = Vec::new();
@@ -178,15 +225,13 @@ fn missions(file: &str, text: &str) -> Result<Vec<InavMission>, ExchangeError> {
             let Some(item) = of_terminal(line) else {
                 continue;
             };
-            if let Some(cause) = item.place_fault() {
-                return Err(ExchangeError::Place {
-                    file: file.to_owned(),
-                    line: index + 1,
-                    column: 1,
-                    cause,
-                });
-            }
-            items.push(item);
+            let item = item.and_then(InavItem::on_globe);
+            items.push(item.map_err(|cause| ExchangeError::Place {
+                file: file.to_owned(),
+                line: index + 1,
+                column: 1,
+                cause,
+            })?);
         }
         return Ok(vec![InavMission { home: None, items }]);
     }
@@ -251,46 +296,52 @@ struct InavItem {
 impl InavItem {
     fn of(source: &NamedText, element: &XmlElement) -> Result<Self, ExchangeError> {
         let value = |name: &str| attribute(element, name);
-        let number = |name: &str| match value(name) {
-            "" => Ok(0.0),
-            text => text
-                .replacen(',', ".", 1)
-                .parse::<f64>()
-                .ok()
-                .filter(|number| number.is_finite())
-                .ok_or_else(|| {
-                    let cause = format!("missionitem/{name}: `{text}` is no number");
-                    source.error(element.begin, cause)
-                }),
-        };
-        let item = Self {
-            number: value("no").to_owned(),
-            action: value("action").to_uppercase(),
-            latitude: number("lat")?,
-            longitude: number("lon")?,
-            altitude: number("alt")?,
-            parameters: [
-                number("parameter1")?,
-                number("parameter2")?,
-                number("parameter3")?,
-            ],
-            flag: number("flag")?,
-        };
-        match item.place_fault() {
-            None => Ok(item),
-            Some(cause) => Err(source.error(element.begin, format!("missionitem: {cause}"))),
-        }
+        let read = Self::of_numbers(
+            value("no").to_owned(),
+            value("action"),
+            ["parameter1", "parameter2", "parameter3"],
+            |name| number_in(name, value(name)),
+        );
+        read.map_err(|cause| source.error(element.begin, format!("missionitem: {cause}")))
     }
 
-    /// Complaint about a place that is none.
-    fn place_fault(&self) -> Option<String> {
-        let Self {
-            latitude,
-            longitude,
-            ..
-        } = self;
-        let is_place = on_globe(*longitude, *latitude);
-        (!is_place).then(|| format!("{latitude}, {longitude} is no place on the globe"))
+    /// The command whose numbers are found by their names; those of a place have to be there where it is flown to.
+    fn of_numbers(
+        number: String,
+        action: &str,
+        parameters: [&str; 3],
+        found: impl Fn(&str) -> Result<Option<f64>, String>,
+    ) -> Result<Self, String> {
+        let action = action.to_uppercase();
+        let any = |name: &str| found(name).map(|number| number.unwrap_or(0.0));
+        let flag = any("flag")?;
+        let needed = |name: &str, is_needed: bool| match found(name)? {
+            None if is_needed => Err(format!("{action} without `{name}`")),
+            number => Ok(number.unwrap_or(0.0)),
+        };
+        let is_flown = FLOWN_AT_HEIGHT.contains(&action.as_str());
+        let is_placed = is_flown || matches!(action.as_str(), "LAND" | "SET_POI");
+        let [first, second, third] = parameters;
+        Self {
+            latitude: needed("lat", is_placed && flag != AT_HOME)?,
+            longitude: needed("lon", is_placed && flag != AT_HOME)?,
+            altitude: needed("alt", is_flown)?,
+            parameters: [any(first)?, any(second)?, any(third)?],
+            number,
+            flag,
+            action,
+        }
+        .on_globe()
+    }
+
+    /// The command, unless its place is none.
+    fn on_globe(self) -> Result<Self, String> {
+        let (latitude, longitude) = (self.latitude, self.longitude);
+        if on_globe(longitude, latitude) {
+            Ok(self)
+        } else {
+            Err(format!("{latitude}, {longitude} is no place on the globe"))
+        }
     }
 
     /// The command with these first four parameters, at its place.
@@ -453,6 +504,95 @@ mod tests {
                 .distance(&right.routes[0].way_points[2].position);
             assert!(off < 1e-6, "{name}: {off}");
         }
+    }
+
+    #[test]
+    fn commands_that_are_cut_short_or_lack_their_place_are_refused_by_their_line() {
+        let cause = |name: &str, text: &str| {
+            let read = read_any(name, text.as_bytes(), None);
+            read.map(|_| ()).unwrap_err().to_string()
+        };
+        let first = "# wp\nwp 2 valid\nwp 0 1 -338501000 184201000 5000 0 0 0 0\n";
+        for (last, told) in [
+            (
+                "wp 1 1 -338511000 184211000 60",
+                "line 4, column 1: a command in INAV's terminal has 9 numbers, and this line has 5",
+            ),
+            (
+                "wp 1",
+                "line 4, column 1: a command in INAV's terminal has 9 numbers, and this line has 1",
+            ),
+            (
+                "wp 1 1 -338511000 1842x1000 6000 0 0 0 165",
+                "`1842x1000` is no whole number",
+            ),
+            ("wp 1 9 0 0 0 0 0 0 165", "command 9 of INAV is not known"),
+        ] {
+            let cause = cause("a.txt", &format!("{first}{last}\n"));
+            assert!(cause.contains(told), "{last}: {cause}");
+        }
+        let whole = read_any("a.txt", first.as_bytes(), None).unwrap();
+        assert!(
+            whole
+                .notes
+                .iter()
+                .any(|note| note.contains("may be missing")),
+            "{:?}",
+            whole.notes
+        );
+        let json = |second: &str| {
+            format!(
+                r#"{{"mission":[{{"no":1,"action":"WAYPOINT","lat":-33.8501,"lon":18.4201,"alt":50}},{second}]}}"#
+            )
+        };
+        for (second, told) in [
+            (
+                r#"{"no":2,"action":"WAYPOINT","lon":18.4211,"alt":50}"#,
+                "command 2 of the mission: WAYPOINT without `lat`",
+            ),
+            (
+                r#"{"no":2,"action":"LAND","lat":-33.8,"lon":null,"alt":50}"#,
+                "LAND without `lon`",
+            ),
+            (
+                r#"{"no":2,"action":"POSHOLD_TIME","lat":-33.8,"lon":18.4}"#,
+                "POSHOLD_TIME without `alt`",
+            ),
+            (
+                r#"{"no":2,"action":"WAYPOINT","lat":[1],"lon":18.4,"alt":50}"#,
+                "`lat` is no number",
+            ),
+            (
+                r#"{"no":2,"lat":-33.8,"lon":18.4,"alt":50}"#,
+                "it has no `action`",
+            ),
+        ] {
+            let cause = cause("a.json", &json(second));
+            assert!(cause.contains(told), "{second}: {cause}");
+        }
+        let xml = MISSION.replace(" lat=\"-33.8511\"", "");
+        let cause = cause("a.mission", &xml);
+        assert!(
+            cause.contains("line 6") && cause.contains("without `lat`"),
+            "{cause}"
+        );
+        // Numbers as texts are numbers, and home needs no place.
+        for second in [
+            r#"{"no":2,"action":"WAYPOINT","lat":"-33.8511","lon":"18.4211","alt":"60"}"#,
+            r#"{"no":2,"action":"RTH"}"#,
+        ] {
+            assert!(
+                read_any("a.json", json(second).as_bytes(), None).is_ok(),
+                "{second}"
+            );
+        }
+        let text =
+            json(r#"{"no":2,"action":"WAYPOINT","lat":"-33.8511","lon":"18.4211","alt":"60"}"#);
+        let read = read_any("a.json", text.as_bytes(), None).unwrap();
+        let last = &read.routes[0].way_points[1];
+        let place = read.frame.geodetic_from_ground(&last.position);
+        assert!((place.latitude.to_degrees() + 33.8511).abs() < 1e-8);
+        assert_eq!(last.altitude.metres, 60.0);
     }
 
     #[test]
