@@ -207,6 +207,57 @@ pub fn without_markup(text: &str) -> String {
     safe
 }
 
+/// A number with a comma before its decimals as one with a point, without the dots, blanks or apostrophes before every three
+/// digits; `None` of anything else.
+///
+/// ```
+/// use pilotage_base::text::without_decimal_comma;
+///
+/// let plain = |text| without_decimal_comma(text);
+/// assert_eq!(plain("-1.234.567,8").as_deref(), Some("-1234567.8"));
+/// assert_eq!(plain("5 432,5e1").as_deref(), Some("5432.5e1"));
+/// assert_eq!(plain("5.432.100").as_deref(), Some("5432100"));
+/// // One dot may be that of decimals.
+/// assert_eq!((plain("1.234"), plain("12.34,5"), plain("1,2,3")), (None, None, None));
+/// ```
+pub fn without_decimal_comma(text: &str) -> Option<String> {
+    let bare = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let sign = &text[..text.len() - bare.len()];
+    let are_digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+    let (whole, decimals) = match bare.split_once(',') {
+        Some((whole, decimals)) => (whole, Some(decimals)),
+        None => (bare, None),
+    };
+    let (fraction, power) = match decimals.map(|rest| rest.split_once(['e', 'E'])) {
+        Some(Some((fraction, power))) => (Some(fraction), power.parse::<i32>().ok().map(Some)?),
+        Some(None) => (decimals, None),
+        None => (None, None),
+    };
+    if !fraction.is_none_or(are_digits) {
+        return None;
+    }
+    let seam = whole.chars().find(|c| !c.is_ascii_digit());
+    let digits = match seam {
+        None => whole.to_owned(),
+        Some(seam) if [".", " ", "\u{a0}", "\u{202f}", "'", "’"].contains(&&*seam.to_string()) => {
+            let groups: Vec<&str> = whole.split(seam).collect();
+            let is_one_dot = seam == '.' && groups.len() == 2 && fraction.is_none();
+            let are_threes = groups[1..].iter().all(|group| group.len() == 3);
+            if !are_threes || groups[0].len() > 3 || groups[0].starts_with('0') || is_one_dot {
+                return None;
+            }
+            groups.concat()
+        }
+        Some(_) => return None,
+    };
+    if !are_digits(&digits) || seam.is_none() && fraction.is_none() {
+        return None;
+    }
+    let fraction = fraction.map_or_else(String::new, |fraction| format!(".{fraction}"));
+    let power = power.map_or_else(String::new, |power| format!("e{power}"));
+    Some(format!("{sign}{digits}{fraction}{power}"))
+}
+
 /// A cell of a CSV table, in quotation marks where it needs them.
 pub fn csv_cell(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r']) {

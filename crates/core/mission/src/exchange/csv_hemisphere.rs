@@ -2,6 +2,7 @@
 
 use pilotage_base::angle_text::{hemisphere, meaning_of_o};
 
+use super::angle::degrees;
 use super::csv_columns::CsvRole;
 use super::csv_table::{ReadCsvTable, Records};
 
@@ -36,6 +37,27 @@ const KINDS: [(CsvRole, CsvRole, [char; 2]); 2] = [
 ];
 
 impl ReadCsvTable<'_> {
+    /// Takes columns called after letters of hemispheres for the angles themselves where no others are, and their cells are
+    /// numbers with such a letter: `LATITUDE N/S` above `33.8501S`.
+    pub(super) fn take_angles_with_letters(&mut self, records: &Records) {
+        for (angle, role, letters) in KINDS {
+            let at = self.columns.iter().position(|c| c.role == Some(role));
+            let Some(at) = at.filter(|_| !self.has(angle)) else {
+                continue;
+            };
+            let is_angle = |cell: &str| {
+                let has_letter = cell.to_uppercase().contains(letters);
+                let plain = cell.replace(',', ".");
+                has_letter && degrees(&plain, (letters[0], letters[1])).is_some()
+            };
+            let cells = records.iter().filter_map(|(_, row)| row.get(at));
+            let mut cells = cells.filter(|cell| !cell.is_empty()).peekable();
+            if cells.peek().is_some() && cells.all(is_angle) {
+                self.columns[at].role = Some(angle);
+            }
+        }
+    }
+
     /// Takes columns of nothing but letters or words of hemispheres for those of latitude and longitude: each stands beside
     /// its angle or is the only one of its letters, and its name says so or the other angle has one as well.
     pub(super) fn take_hemispheres(&mut self, records: &Records) {

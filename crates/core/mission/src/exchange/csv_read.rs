@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 
+use super::csv_axes::easting_and_northing;
 use super::csv_bare::named;
 use super::csv_columns::{CsvColumn, CsvRole, columns};
 use super::csv_geometry::geometry;
@@ -105,6 +106,8 @@ impl<'a> OpenedTable<'a> {
             }
         }
         table.has_decimal_comma |= table.writes_commas(&records);
+        table.take_angles_with_letters(&records);
+        table.leave_thousands(&mut records);
         let end = end_of_file(&table, content, &records)?;
         table.leave_metres(&records);
         table.take_hemispheres(&records);
@@ -140,15 +143,26 @@ impl<'a> OpenedTable<'a> {
                     line: self.first_line,
                     column: 1,
                     cause: format!(
-                        "there is no column for the {}; there are: {}",
+                        "there is no column for the {}; there are: {}{}",
                         role.name(),
-                        self.names.join(", ")
+                        self.names.join(", "),
+                        self.names_of_metres()
                     ),
                 });
             }
         }
         table.o_is = table.meaning_of_o(&self.records);
         Ok(xy.or(table.take_ten_millionths(&self.records)))
+    }
+
+    /// Words on eastings and northings of a system that the table does not name.
+    fn names_of_metres(&self) -> String {
+        easting_and_northing(&self.names).map_or_else(String::new, |[east, north]| {
+            format!(
+                ". `{east}` and `{north}` are metres of a system that nothing names: put it into a line above the names, such as \
+                 EPSG:32632, or the zone of UTM, such as 32T, into a column `Zone`"
+            )
+        })
     }
 }
 

@@ -1,9 +1,11 @@
 //! Table of places as it was read: its columns by their meaning, and its rows.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::csv_axes::is_grid_axis;
 use super::csv_columns::{CsvColumn, CsvRole, Unit};
 use super::csv_geometry::geometry;
 use super::csv_letter_o::without_o;
@@ -11,7 +13,7 @@ use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place,
 use super::{ExchangeError, angle};
 use crate::mission::found::{LonLat, on_globe};
 use pilotage_base::angle_text::hemisphere as hemisphere_of;
-use pilotage_base::text::by_count;
+use pilotage_base::text::{by_count, without_decimal_comma};
 
 /// Rows with the lines at which they begin.
 pub(super) type Records = [(usize, csv::StringRecord)];
@@ -80,7 +82,10 @@ impl ReadCsvTable<'_> {
     /// have one comma between digits.
     pub(super) fn writes_commas(&self, records: &Records) -> bool {
         let roles = [CsvRole::Latitude, CsvRole::Longitude];
-        let is_angle = |column: &CsvColumn| column.role.is_some_and(|role| roles.contains(&role));
+        let is_angle = |column: &CsvColumn| match column.role {
+            Some(role) => roles.contains(&role),
+            None => is_grid_axis(&column.name),
+        };
         let columns = self.columns.iter().enumerate();
         let angles: Vec<usize> = columns
             .filter_map(|(at, column)| is_angle(column).then_some(at))
@@ -88,13 +93,40 @@ impl ReadCsvTable<'_> {
         let cells = records
             .iter()
             .flat_map(|(_, row)| angles.iter().filter_map(|at| row.get(*at)));
-        let is_with_comma = |cell: &str| {
-            let parts = cell.trim_start_matches(['-', '+']).split_once(',');
-            let are_digits =
-                |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-            parts.is_some_and(|(whole, rest)| are_digits(whole) && are_digits(rest))
+        let is_with_comma =
+            |cell: &str| cell.contains(',') && without_decimal_comma(cell).is_some();
+        let has_point = |cell: &str| cell.contains('.') && !is_with_comma(cell);
+        !cells.clone().any(has_point) && cells.clone().any(is_with_comma)
+    }
+
+    /// Takes the dots before every three digits out of columns in which a number has such dots and a comma before its
+    /// decimals: there `1.120` is no number between 1 and 2.
+    pub(super) fn leave_thousands(&self, records: &mut Vec<(usize, csv::StringRecord)>) {
+        let is_grouped = |cell: &str| {
+            let plain = without_decimal_comma(cell);
+            cell.contains('.') && cell.contains(',') && plain.is_some()
         };
-        !cells.clone().any(|cell| cell.contains('.')) && cells.clone().any(is_with_comma)
+        let is_such = |column: &usize| {
+            let mut cells = records.iter().filter_map(|(_, row)| row.get(*column));
+            cells.any(is_grouped)
+        };
+        let columns: Vec<usize> = (0..self.columns.len()).filter(is_such).collect();
+        if !self.has_decimal_comma || columns.is_empty() {
+            return;
+        }
+        for (_, row) in records {
+            let cells = row.iter().enumerate().map(|(column, cell)| {
+                let is_whole = columns.contains(&column) && !cell.contains(',');
+                let whole = is_whole.then(|| without_decimal_comma(&format!("{cell},0")));
+                match whole.flatten() {
+                    Some(whole) => Cow::Owned(whole),
+                    None => Cow::Borrowed(cell),
+                }
+            });
+            let cells: csv::StringRecord =
+                cells.collect::<Vec<_>>().iter().map(|it| &**it).collect();
+            *row = cells;
+        }
     }
 
     /// Takes `lat_m` beside degrees with a fraction for the metres that it is then, and not for minutes.
@@ -355,7 +387,7 @@ impl CsvRow<'_> {
     /// A number as the table writes it, with a decimal point.
     pub(super) fn with_point(&self, cell: &str) -> String {
         if self.table.has_decimal_comma {
-            cell.replace(',', ".")
+            without_decimal_comma(cell).unwrap_or_else(|| cell.replace(',', "."))
         } else {
             cell.to_owned()
         }

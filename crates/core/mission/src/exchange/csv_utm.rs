@@ -1,31 +1,13 @@
 //! Tables of places in zones of UTM: easting, northing and the zone of each row.
 
 use pilotage_base::place_text::place_of_text;
+use pilotage_base::text::without_decimal_comma;
 
 use super::ExchangeError;
+use super::csv_axes::{EASTINGS, NORTHINGS, plain_name};
 use super::csv_columns::CsvRole;
 use super::csv_table::{ReadCsvTable, Records};
 
-const EASTINGS: [&str; 8] = [
-    "easting",
-    "east",
-    "e",
-    "x",
-    "utm easting",
-    "utm east",
-    "utm e",
-    "utm x",
-];
-const NORTHINGS: [&str; 8] = [
-    "northing",
-    "north",
-    "n",
-    "y",
-    "utm northing",
-    "utm north",
-    "utm n",
-    "utm y",
-];
 const ZONES: [&str; 5] = ["zone", "utm zone", "grid zone", "zone number", "utm z"];
 const HALVES: [&str; 3] = ["hemisphere", "half", "n/s"];
 /// Those of the letter of a band, of which the northern ones begin with N; the last two are of `GPSBabel`.
@@ -47,16 +29,8 @@ pub(super) fn in_degrees(
     table: &mut ReadCsvTable,
     records: &mut Records,
 ) -> Result<Option<String>, ExchangeError> {
-    let plain = |name: &str| {
-        let name = name.to_lowercase().replace(['_', '-'], " ");
-        name.split(['(', '['])
-            .next()
-            .unwrap_or("")
-            .trim()
-            .to_owned()
-    };
     let find = |names: &[&str]| {
-        let is_called = |name: &str| names.contains(&plain(name).as_str());
+        let is_called = |name: &str| names.contains(&plain_name(name).as_str());
         table.columns.iter().position(|c| is_called(&c.name))
     };
     let (Some(east), Some(north), Some(zone)) = (find(&EASTINGS), find(&NORTHINGS), find(&ZONES))
@@ -73,7 +47,7 @@ pub(super) fn in_degrees(
         let metres = |column: usize| {
             let cell = cell(column);
             if table.has_decimal_comma {
-                cell.replace(',', ".")
+                without_decimal_comma(cell).unwrap_or_else(|| cell.replace(',', "."))
             } else {
                 cell.to_owned()
             }
@@ -141,6 +115,8 @@ mod tests {
             // A band, as GPSBabel has it.
             "No,UTM-Zone,UTM-Ch,UTM-East,UTM-North,Name\n1,32,T,465429.756,5246517.201,A\n",
             "name,band,zone,easting,northing\nA,S,32,465429.756,5246517.201\n",
+            "name;Zone;Easting;Northing\nA;32N;465.429,756;5.246.517,201\n",
+            "name\tZone\tEasting\tNorthing\nA\t32N\t465 429,756\t5 246 517,201\n",
             "name;Zone;Hemisphere;Easting (m);Northing (m)\nA;32;N;465429,756;5246517,201\n",
         ] {
             let found = places(table).unwrap()[0];

@@ -10,6 +10,7 @@ mod formats;
 mod air_altitudes;
 mod angle;
 mod complex;
+mod csv_axes;
 mod csv_bare;
 mod csv_cells;
 mod csv_columns;
