@@ -165,6 +165,20 @@ fn of_fence(content: &str) -> Option<NamedTable> {
         });
     }
     let is_closed = corners.len() > 3 && corners.first() == corners.last();
+    if is_saved && !is_closed && corners.len() > 1 {
+        return Some(NamedTable {
+            text: format!(
+                "name,wkt\nPolygon,\"POLYGON (({}, {first}))\"\n",
+                rows.join(", ")
+            ),
+            added: 0,
+            notes: vec![
+                "it is read as a polygon of Mission Planner, which its last place does not close: a side from there to the \
+                 first is added"
+                    .to_owned(),
+            ],
+        });
+    }
     if !is_closed || corners.last() == Some(first) {
         return None;
     }
@@ -313,6 +327,26 @@ mod tests {
             panic!("Europe");
         };
         assert_eq!(corners[2], (8.001, 47.001));
+        // Its last corner was taken out by hand.
+        for line_end in ["\n", "\r\n"] {
+            let open =
+                format!("#saved by Mission Planner 1.3.80\n47 8\n47 8.1\n47.1 8.1{line_end}");
+            let read = read_any("open.poly", open.as_bytes(), None).unwrap();
+            assert!(
+                read.notes
+                    .iter()
+                    .any(|note| note.contains("does not close")),
+                "{:?}",
+                read.notes
+            );
+            let LandmarkExtent::Corners(corners) = read_landmark(&open).extent else {
+                panic!("open");
+            };
+            assert_eq!(
+                (corners.len(), corners[2], corners[3]),
+                (4, (8.1, 47.1), (8.0, 47.0))
+            );
+        }
         for (name, text, holes) in [("a.poly", polygon, 0), ("b.poly", osmosis, 1)] {
             let read = read_any(name, text.as_bytes(), None).unwrap();
             assert_eq!(read.landmarks.len(), 1, "{name}");
