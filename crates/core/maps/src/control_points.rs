@@ -6,7 +6,7 @@ use pilotage_base::text::csv_cell;
 use pilotage_mission::exchange::cells_of_row;
 
 use crate::geojson_system::geojson_in_degrees;
-use crate::grid_columns::grid_in_degrees;
+use crate::grid_columns::{grid_in_degrees, named_in_degrees};
 use crate::systems::by_name;
 
 /// Lines among which the names of Metashape's columns stand.
@@ -32,18 +32,29 @@ pub fn places_in_degrees(text: &str) -> Option<(String, Vec<String>)> {
     let found = match remark.and_then(|remark| remark.split_once(':')) {
         Some((before, name)) if before.trim() == "CoordinateSystem" => {
             let system = by_name(name).ok()?;
-            (of_metashape(text, &system)?, system)
+            (of_metashape(text, &system)?, system, None)
         }
-        None if is_name(first) => {
+        None if is_system(first) => {
             let system = by_name(first).ok()?;
-            (of_open_drone_map(text, &system)?, system)
+            let rest = text.split_once('\n')?.1;
+            let named = named_in_degrees(rest, &system);
+            let found =
+                named.or_else(|| is_name(first).then(|| of_open_drone_map(text, &system))?);
+            (found?, system, None)
         }
         _ => grid_in_degrees(text)?,
     };
-    let (text, system) = found;
+    let (text, system, more) = found;
     let mut notes = vec![format!("its places are read in {}", system.name())];
     notes.extend(system.note());
+    notes.extend(more);
     Some((text, notes))
+}
+
+/// Whether a line names a system of metres by its code or its projection.
+fn is_system(line: &str) -> bool {
+    let lower = line.to_lowercase();
+    lower.starts_with("epsg:") || lower.starts_with("+proj=") && !lower.contains("+proj=longlat")
 }
 
 /// Whether a line names a system as `OpenDroneMap` has it, and none of WGS 84.
@@ -135,6 +146,11 @@ mod tests {
     fn national_systems_become_degrees() {
         let photo = rows("EPSG:25832\na.jpg\t514521.45\t6681455.436\t220.1 173.5 -12 0\n");
         assert_eq!(photo, "a.jpg 9.2624835003 60.2695102741 220.1 173.5 -12 0");
+        let table = rows("EPSG:32632\nname,E,N\nA,500000,5000000\n");
+        assert!(
+            table.starts_with("name,Longitude,Latitude\nA,9.0000000000,45.15"),
+            "{table}"
+        );
         let table = "#CoordinateSystem: EPSG::25832\n#Label,X/Easting,Y/Northing,Z/Altitude\n924-01,514521.45,6681455.436,220.1\n";
         let right =
             "#Label,X/Longitude,Y/Latitude,Z/Altitude\n924-01,9.2624835003,60.2695102741,220.1";

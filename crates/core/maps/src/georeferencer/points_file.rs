@@ -4,6 +4,7 @@ use nalgebra::Point2;
 
 use super::{ControlPoint, TransformFit};
 use pilotage_base::frames::ReferenceSystem;
+use pilotage_base::text::without_decimal_comma;
 
 /// Longest file that is read, lines.
 const MOST_LINES: usize = 100_000;
@@ -52,6 +53,8 @@ pub enum PointsFileError {
 /// Reads control points, and the reference system if the file names one: in a line `#CRS:`, or in a
 /// column `CRS` of every line, as QGIS 3.16 to 3.20 wrote it. One that is not known is an error.
 ///
+/// Tables of other programs have semicolons or tabulators between their cells, and may have commas before decimals there.
+///
 /// QGIS counts rows downward as negative numbers, from the outer corner of the first pixel.
 ///
 /// ```
@@ -91,6 +94,7 @@ pub fn read_points_in(
     let (mut enabled_column, mut system_column) = (None, None);
     // All lines mostly name the same.
     let mut last_name = String::new();
+    let mut seam = ',';
     for (index, line) in text.lines().enumerate().take(MOST_LINES) {
         let number = index + 1;
         let line = line.trim().trim_start_matches('\u{feff}');
@@ -100,7 +104,7 @@ pub fn read_points_in(
         // NumPy puts names behind a `#`.
         let names = line.strip_prefix('#').map(str::trim);
         let line = names
-            .filter(|names| names.starts_with("mapX,"))
+            .filter(|names| names.starts_with("mapX"))
             .unwrap_or(line);
         if let Some(comment) = line.strip_prefix('#') {
             let name = comment.trim().strip_prefix("CRS:").map_or("", str::trim);
@@ -109,7 +113,13 @@ pub fn read_points_in(
             }
             continue;
         }
-        let cells = cells(line);
+        if columns.is_none() {
+            let seams = [',', ';', '\t'].into_iter();
+            seam = seams
+                .max_by_key(|seam| line.matches(*seam).count())
+                .unwrap_or(',');
+        }
+        let cells = cells(line, seam);
         let Some(columns) = columns else {
             let find =
                 |names: &[&str]| cells.iter().position(|cell| names.contains(&cell.as_str()));
@@ -143,7 +153,9 @@ pub fn read_points_in(
         }
         let cell = |column: usize| -> Result<f64, PointsFileError> {
             let text = cells.get(column).map_or("", String::as_str);
-            let value: Option<f64> = text.parse().ok().filter(|v: &f64| v.is_finite());
+            let plain = without_decimal_comma(text).filter(|_| seam != ',');
+            let value = plain.as_deref().unwrap_or(text).parse().ok();
+            let value = value.filter(|value: &f64| value.is_finite());
             value.ok_or_else(|| PointsFileError::Line {
                 line: number,
                 cause: format!(
@@ -166,8 +178,8 @@ pub fn read_points_in(
     Ok((points, system))
 }
 
-/// Cells of a line, between commas that are not inside of quotes; two quotes in such a cell are one.
-fn cells(line: &str) -> Vec<String> {
+/// Cells of a line, between seams that are not inside of quotes; two quotes in such a cell are one.
+fn cells(line: &str, seam: char) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut is_quoted = false;
     let mut characters = line.chars().peekable();
@@ -179,7 +191,7 @@ fn cells(line: &str) -> Vec<String> {
                 cell.push('"');
             }
             ('"', _) => is_quoted = !is_quoted,
-            (',', _) if !is_quoted => cells.push(String::new()),
+            (letter, _) if letter == seam && !is_quoted => cells.push(String::new()),
             (other, Some(cell)) => cell.push(other),
             (_, None) => {}
         }

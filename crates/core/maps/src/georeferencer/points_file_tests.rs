@@ -69,3 +69,30 @@ fn names_may_stand_behind_a_number_sign() {
     assert_eq!((points[0].pixel.x, points[0].pixel.y), (20.0, 30.0));
     assert_eq!(system, None);
 }
+
+#[test]
+fn semicolons_and_decimal_commas_are_read_and_a_comma_between_commas_is_none_of_decimals() {
+    let plain = "mapX,mapY,sourceX,sourceY,enable\n391234.5,5432100.25,20.5,-30.25,1\n1100.5,2000.25,120,-30,0\n";
+    let right = read_points(plain).unwrap().0;
+    let semicolons = plain.replace(',', ";").replace('.', ",");
+    let grouped = semicolons
+        .replace("391234,5", "391.234,5")
+        .replace("5432100,25", "5 432 100,25");
+    for text in [
+        semicolons,
+        grouped,
+        plain.replace(',', "\t"),
+        plain.replace(',', ";"),
+    ] {
+        let read = read_points(&text).unwrap().0;
+        assert_eq!(read, right, "{text}");
+    }
+    let shifted = plain.replace("391234.5", "391234,5");
+    let told = read_points(&shifted.replace("391234,5", "\"391234,5\""))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        told.contains("line 2") && told.contains("391234,5"),
+        "{told}"
+    );
+}
