@@ -29,6 +29,9 @@ pub struct FlownFiles {
 /// Tracks, which say no more than where somebody was.
 const TRACKS: FlownFiles = of_kind("tracks", &["plt", "tcx"]);
 
+/// Endings of files of routes and landmarks, of which some have tracks with times.
+const MAY_BE_TRACKS: [&str; 2] = ["gpx", "kml"];
+
 /// Every kind of them, in the order in which people are told of them.
 pub const FLOWN: [FlownFiles; 5] = [
     of_kind(
@@ -82,7 +85,8 @@ pub fn flight_among(
         return Ok(Some(flown));
     }
     let has_none = |endings: &[&str]| names_ending_in(files.as_ref(), endings).is_empty();
-    let has_none_flown = FLOWN.iter().all(|kind| has_none(kind.endings));
+    let has_no_track = has_none(TRACKS.endings) && has_none(&MAY_BE_TRACKS);
+    let has_none_flown = has_no_track && FLOWN.iter().all(|kind| has_none(kind.endings));
     if has_none_flown && has_none(&FILMS) || log_among(files.as_ref()).is_some() {
         return Ok(None);
     }
@@ -100,7 +104,7 @@ pub fn flight_among(
         return Ok(Some(with_films_told(flown, files.as_ref())));
     }
     let tabled = flight_of_tabled_photos(files);
-    if tabled.is_none() && has_none(TRACKS.endings) && has_none(&FILMS) {
+    if tabled.is_none() && has_no_track && has_none(&FILMS) {
         return Ok(None);
     }
     let tables = tables_among(files.as_ref());
@@ -201,6 +205,31 @@ mod tests {
         let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
         let pool: Arc<dyn FileSet> = Arc::new(pool);
         flight_among(&pool, None)
+    }
+
+    #[test]
+    fn a_track_of_gpx_is_the_flight_and_a_route_of_gpx_is_none() {
+        let point = |i: u32, time: &str| {
+            format!(
+                "<trkpt lat=\"47.00{i}\" lon=\"8.5\"><time>2024-05-01T10:00:0{i}{time}</time></trkpt>"
+            )
+        };
+        let of = |time: &str| {
+            let points: String = (0..9).map(|i| point(i, time)).collect();
+            (
+                "walk.gpx",
+                format!("<gpx version=\"1.1\"><trk><trkseg>{points}</trkseg></trk></gpx>"),
+            )
+        };
+        let note = ("readme.txt", "the day of the flight".to_owned());
+        for files in [vec![of("Z")], vec![of("Z"), note.clone()]] {
+            let flown = among(&files).unwrap().unwrap();
+            assert_eq!(flown.flight.truth.unwrap().states.len(), 9);
+        }
+        // Times that are none.
+        for files in [vec![of(" or so")], vec![of(" or so"), note]] {
+            assert!(among(&files).unwrap().is_none());
+        }
     }
 
     #[test]

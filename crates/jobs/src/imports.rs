@@ -130,7 +130,7 @@ pub fn imports(
         } else {
             pool.read(&name).unwrap_or_default()
         };
-        if is_mission(&name, &bytes) {
+        if is_mission(&name, &bytes) || is_flight && is_the_flight(pool, &name, &bytes) {
             continue;
         }
         if is_of_roads(&name, &bytes) {
@@ -152,6 +152,21 @@ pub fn imports(
         Some(cause) if !found.is_empty() && !is_told => Err(cause),
         _ => Ok(found),
     }
+}
+
+/// Whether the only file of a flight, which is made of it, is a track of GPX or KML and has nothing else: as a route it would
+/// be there twice.
+fn is_the_flight(pool: &dyn FileSet, name: &str, bytes: &[u8]) -> bool {
+    let others: [&[u8]; 5] = [
+        b"<wpt",
+        b"<rtept",
+        b"LineString",
+        b"Polygon",
+        b"GroundOverlay",
+    ];
+    has_ending(name, &["gpx", "kml"])
+        && pool.names().len() == 1
+        && !others.iter().any(|other| contains(bytes, other))
 }
 
 /// The labels in all files of them, in either format, and the format of the first.

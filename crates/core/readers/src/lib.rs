@@ -24,6 +24,7 @@ pub mod srt;
 mod text_tables;
 mod times;
 pub mod track_files;
+mod track_xml;
 pub mod trajectory;
 pub mod video;
 

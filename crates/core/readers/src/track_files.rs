@@ -1,4 +1,4 @@
-//! Tracks of `OziExplorer` (.plt) and activities of Garmin (.tcx), as flights.
+//! Tracks of `OziExplorer` (.plt), activities of Garmin (.tcx) and tracks with times in GPX and KML, as flights.
 
 use std::sync::Arc;
 
@@ -7,6 +7,7 @@ use quick_xml::events::Event;
 
 use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
+use crate::track_xml::{self, may_have_track, timed_track};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::METRES_PER_FOOT;
 use pilotage_base::text::{by_count, utc_text};
@@ -29,11 +30,14 @@ const POINT: &str = "Trackpoint";
 /// Time as text and values of [`COLUMNS`].
 type Point = (String, [Option<f64>; 3]);
 
-/// Whether the first bytes of a file are a track of `OziExplorer` or an activity of Garmin.
+/// Whether the first bytes of a file are a track of `OziExplorer` or an activity of Garmin, or those of GPX or KML, which may
+/// have tracks with times.
 pub fn is_track(head: &[u8]) -> bool {
     let head = decoded(head);
     let text = String::from_utf8_lossy(&head);
-    has_ozi_rows(text.trim_start_matches('\u{feff}')) || text.contains(ACTIVITIES)
+    has_ozi_rows(text.trim_start_matches('\u{feff}'))
+        || text.contains(ACTIVITIES)
+        || may_have_track(&text)
 }
 
 /// Whether a text is a track of `OziExplorer`, or one of those that have its rows.
@@ -53,7 +57,7 @@ fn is_wgs_84(datum: &str) -> bool {
 /// A track of which no flight can be made.
 pub fn flight_of_track(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
     let because = "it is a recording of its own";
-    for ending in [".plt", ".tcx"] {
+    for ending in [".plt", ".tcx", ".gpx", ".kml"] {
         let found = first_flight(files.as_ref(), ending, because, read_track)?;
         if found.is_some() {
             return Ok(found);
@@ -85,6 +89,18 @@ pub fn read_track(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Fold
     let text = String::from_utf8_lossy(&bytes);
     let text = text.trim_start_matches('\u{feff}');
     let mut findings = Vec::new();
+    if !has_ozi_rows(text) && !text.contains(ACTIVITIES) {
+        let found = timed_track(text);
+        if found.points.len() < 2 {
+            return Ok(None);
+        }
+        let findings = (found.findings.into_iter())
+            .chain(told_left_out(found.left_out))
+            .collect();
+        let table = table("time", track_xml::COLUMNS, &found.points);
+        // Points of which no flight can be made are still a route.
+        return Ok(flight_of_table(name, table, findings).unwrap_or_default());
+    }
     let (points, left_out) = if has_ozi_rows(text) {
         let datum = text.lines().nth(1).unwrap_or_default().trim();
         if !is_wgs_84(datum) {
@@ -109,17 +125,18 @@ pub fn read_track(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Fold
     if points.len() < 2 {
         return Ok(None);
     }
-    if left_out > 0 {
-        findings.push(format!(
-            "{left_out} {} no time or no place",
-            by_count(
-                left_out,
-                "point was left out: it has",
-                "points were left out: they have"
-            )
-        ));
-    }
+    findings.extend(told_left_out(left_out));
     flight_of_table(name, table("time", COLUMNS, &points), findings)
+}
+
+/// Words on points without a time or a place.
+fn told_left_out(count: usize) -> Option<String> {
+    let words = by_count(
+        count,
+        "point was left out: it has",
+        "points were left out: they have",
+    );
+    (count > 0).then(|| format!("{count} {words} no time or no place"))
 }
 
 /// Points of a track of `OziExplorer`, and how many lines are none.
