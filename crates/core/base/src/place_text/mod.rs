@@ -6,6 +6,7 @@ mod degrees;
 mod mgrs;
 mod place_text_error;
 mod plus_code;
+mod short_link;
 #[cfg(test)]
 mod tests;
 mod utm;
@@ -52,6 +53,10 @@ pub fn place_of_text_near(text: &str, near: &Geodetic) -> Result<Geodetic, Place
 }
 
 fn read(text: &str, near: Option<&Geodetic>) -> Result<Geodetic, PlaceTextError> {
+    // Letters of these are big or small.
+    if let Some(found) = short_link::read(text.trim()) {
+        return found;
+    }
     let text = text.trim().to_uppercase();
     // "31NEM12" is a reference, though N, E and M could be the marks of an angle.
     address::read(&text)

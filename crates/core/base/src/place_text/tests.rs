@@ -330,3 +330,33 @@ fn wrong_plus_codes_are_refused_with_the_reason() {
     // A sign is no code.
     assert!(degrees("+46.5, +92").is_ok());
 }
+
+#[test]
+fn short_links_of_open_street_map_are_places() {
+    // The example of its wiki, and links made by its own encoder's rule.
+    for text in [
+        "https://osm.org/go/0EEQjE--",
+        "http://www.openstreetmap.org/go/0EEQjE==?m",
+        "osm.org/go/0EEQjE",
+    ] {
+        let place = place_of_text(text).unwrap();
+        assert!(
+            (place.latitude.to_degrees() - 51.510_772_705_078_125).abs() < 1e-12,
+            "{text}"
+        );
+        assert!(
+            (place.longitude.to_degrees() - 0.054_931_640_625).abs() < 1e-12,
+            "{text}"
+        );
+    }
+    // Letters of another case are another place.
+    let other = place_of_text("https://osm.org/go/0eEQjE--").unwrap();
+    assert!((other.latitude.to_degrees() - 51.51).abs() > 0.1);
+    for text in [
+        "https://osm.org/go/",
+        "https://osm.org/go/0E.QjE",
+        "https://osm.org/go/AAAAAAAAAAAAAAAA",
+    ] {
+        assert!(place_of_text(text).is_err(), "{text}");
+    }
+}
