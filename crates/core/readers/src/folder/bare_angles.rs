@@ -51,6 +51,7 @@ fn changes(whole: &str) -> Option<Vec<(Range<usize>, Vec<u8>)>> {
         titles,
         start,
         rows,
+        ..
     } = table;
     let some = some_lines(rows);
     let column = |names: &[&str]| {

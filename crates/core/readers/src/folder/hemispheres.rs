@@ -137,6 +137,7 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
         titles,
         start,
         rows,
+        ..
     } = table;
     let names: Vec<Vec<String>> = titles.iter().map(|name| words(name)).collect();
     let is_place = |words: &Vec<String>| {

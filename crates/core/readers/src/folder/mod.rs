@@ -23,6 +23,7 @@ mod solutions;
 mod standing;
 mod table;
 mod table_text;
+mod thousands;
 #[cfg(test)]
 mod tests;
 mod time_unit;

@@ -10,6 +10,7 @@ use super::layout::{TimeColumn, ValueColumn};
 use super::letter_o::with_east_or_west;
 use super::row_lines::{rows_of_one_line, without_mark};
 use super::standing::{SpreadRows, are_mostly, are_of_several, is_coarse, spread};
+use super::thousands::without_thousands;
 use crate::cells::Moment;
 use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
@@ -91,7 +92,9 @@ impl CsvTable {
         is_read: &[bool],
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
-        let (bytes, mut told) = with_east_or_west(with_degrees(rows_of_one_line(bytes)));
+        let (bytes, mut told) = without_thousands(rows_of_one_line(bytes));
+        let (bytes, of_letters) = with_east_or_west(with_degrees(bytes));
+        told.extend(of_letters);
         let (bytes, of_signs) = with_signs(bytes);
         told.extend(of_signs);
         let skipped = shape.skipped_lines + shape.head_lines();
@@ -493,7 +496,8 @@ fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
 
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
-    with_signs(with_east_or_west(with_degrees(rows_of_one_line(bytes))).0).0
+    let plain = without_thousands(rows_of_one_line(bytes)).0;
+    with_signs(with_east_or_west(with_degrees(plain)).0).0
 }
 
 /// The same lines with a comma for every run of blanks between two cells.

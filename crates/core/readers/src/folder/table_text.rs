@@ -34,6 +34,7 @@ pub(super) const ANGLES: [&[&str]; 2] = [
 /// The text of a table with a header.
 pub(super) struct TableText<'a> {
     pub separator: Separator,
+    pub has_decimal_comma: bool,
     /// Names of the columns.
     pub titles: Vec<Cow<'a, str>>,
     /// Bytes before the rows.
@@ -53,6 +54,7 @@ impl<'a> TableText<'a> {
         let start = lines.take(skipped).map(str::len).sum();
         Some(Self {
             separator: shape.separator,
+            has_decimal_comma: shape.has_decimal_comma,
             titles: shape.separator.cells(header),
             start,
             rows: &whole[start..],
