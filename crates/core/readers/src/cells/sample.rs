@@ -87,9 +87,28 @@ impl ColumnSample {
     pub fn grows(&self) -> bool {
         let steps = self.numbers.windows(2).filter(|w| w[1] > w[0]).count();
         let back = self.numbers.windows(2).filter(|w| w[1] < w[0]).count();
+        let is_few = |back: usize| 50 * back < self.numbers.len();
         self.numbers.len() > 1
             && 10 * steps >= 5 * (self.numbers.len() - 1)
-            && 50 * back < self.numbers.len()
+            && (is_few(back) || is_few(back - self.beginnings()))
+    }
+
+    /// How often a counter of 16 to 32 bits begins anew: it goes back from less than three usual steps before its end to as
+    /// little behind its beginning.
+    fn beginnings(&self) -> usize {
+        let steps = self.numbers.windows(2).map(|w| w[1] - w[0]);
+        let Some(usual) = median(steps.filter(|step| *step > 0.0).collect()) else {
+            return 0;
+        };
+        let near = 3.0 * usual;
+        let ends_near = |number: f64| {
+            let lengths = [16, 24, 32].map(|bits| 2_f64.powi(bits));
+            let mut lengths = lengths.into_iter().filter(|length| near < 0.1 * length);
+            lengths.any(|length| number < length && number > length - near)
+        };
+        let is_begun = |w: &&[f64]| (0.0..near).contains(&w[1]) && ends_near(w[0]);
+        let windows = self.numbers.windows(2).filter(|w| w[1] < w[0]);
+        windows.filter(is_begun).count()
     }
 }
 
