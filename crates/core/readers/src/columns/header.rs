@@ -99,16 +99,22 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
+/// What heights count from, as units of them say it.
+const DATUMS: [&str; 4] = ["amsl", "msl", "agl", "hae"];
+
 impl NameParts {
     /// Puts what a unit says that heights count from among the words of the name: `__alt,ftagl` of X-Plane is `alt`, `agl` in
     /// feet.
     fn take_datum_of_unit(&mut self) {
         let parted = |text: &str| {
-            let datum = ["msl", "agl"].into_iter().find(|end| text.ends_with(end))?;
+            let datum = DATUMS.into_iter().find(|end| text.ends_with(end))?;
             let unit = text.strip_suffix(datum)?.trim_end();
             matches!(unit, "ft" | "m" | "feet").then(|| (unit.to_owned(), datum.to_owned()))
         };
-        let found = parted(&self.unit).map(|(unit, datum)| {
+        // `Alt (MSL)` has no unit at all.
+        let alone = DATUMS.into_iter().find(|datum| self.unit == *datum);
+        let alone = alone.map(|datum| (String::new(), datum.to_owned()));
+        let found = alone.or_else(|| parted(&self.unit)).map(|(unit, datum)| {
             self.unit = unit;
             datum
         });

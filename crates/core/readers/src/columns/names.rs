@@ -143,7 +143,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,
-        "alt|altitude|hgt|h|elevation|feet|abs alt|absolute altitude|ellipsoid height|ellipsoidal height|h ell|height ell|height ellipsoid|altitude ellipsoid|alt ellipsoid|height above ellipsoid",
+        "alt|altitude|hgt|h|elevation|elev|alt hae|altitude hae|height hae|hae|feet|abs alt|absolute altitude|ellipsoid height|ellipsoidal height|h ell|height ell|height ellipsoid|altitude ellipsoid|alt ellipsoid|height above ellipsoid",
     ),
     rule(
         Channel(ChannelName::GpsNorth),
