@@ -46,6 +46,8 @@ mod strays;
 #[path = "../../../../../tests/src/studies.rs"]
 mod studies;
 #[cfg(test)]
+mod simulator_tests;
+#[cfg(test)]
 mod tests;
 mod together;
 mod two_heights;

@@ -23,6 +23,8 @@ const GRAVITY: f64 = 9.806_65;
 pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     quaternion::judge(board, known);
     let channel = |board: &FlightColumns, name| board.find(ColumnRole::Channel(name));
+    let told = channel(board, ChannelName::Heading);
+    let told = told.map(|id| board.column(id).unit.clone());
     if let Some(id) = channel(board, ChannelName::Heading) {
         heading(board, known, id);
     }
@@ -37,15 +39,24 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         roll(board, known, id);
         let unit = board.column(id).unit.clone();
         let pitch = board.find_in(id.0, ColumnRole::Channel(ChannelName::Pitch));
+        // Where a table says of all three what two of them are not, as that of a simulator whose radians are called degrees.
+        let is_misnamed = told.as_ref() == Some(&before)
+            && heading.is_some_and(|heading| board.column(heading).unit == unit);
+        let is_so = |board: &FlightColumns, pitch: Id| {
+            let is_stated = board.basis(pitch) == UnitBasis::Stated;
+            !is_stated || is_misnamed && board.column(pitch).unit == before
+        };
         // What the track says of roll goes before the heading's unit for the pitch as well.
-        if let Some(pitch) =
-            pitch.filter(|pitch| unit != before && board.basis(*pitch) != UnitBasis::Stated)
-        {
-            board.found(
-                pitch,
-                &unit,
-                &format!("in {unit}, as {} is", board.name(id)),
-            );
+        if let Some(pitch) = pitch.filter(|pitch| unit != before && is_so(board, *pitch)) {
+            let name = board.name(id);
+            if board.basis(pitch) == UnitBasis::Stated {
+                let own = board.name(pitch);
+                board.tell(
+                    pitch.0,
+                    format!("{own}: the table says {before}, as of {name}, which is in {unit}; read in {unit}"),
+                );
+            }
+            board.found(pitch, &unit, &format!("in {unit}, as {name} is"));
         }
     }
     if let Some(id) = channel(board, ChannelName::Pitch) {
