@@ -117,7 +117,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
     ),
     (
         CsvRole::Altitude,
-        &["altitude", "alt", "ele", "elev", "elevation", "z/altitude"],
+        &["altitude", "alt", "ele", "elevation", "z/altitude"],
     ),
     (
         CsvRole::Frame,
