@@ -31,9 +31,8 @@ pub(crate) struct TimedTrack {
 
 /// Whether a text begins as a file that may have such tracks.
 pub(crate) fn may_have_track(head: &str) -> bool {
-    ["<gpx ", "<gpx>", "<kml ", "<kml>"]
-        .iter()
-        .any(|root| head.contains(root))
+    let roots = ["<gpx ", "<gpx>", ":gpx ", "<kml ", "<kml>", ":kml "];
+    roots.iter().any(|root| head.contains(root))
 }
 
 /// The track of a text. Of several that overlap in time it is the one with most points, others follow one another.
@@ -76,7 +75,12 @@ pub(crate) fn timed_track(text: &str) -> TimedTrack {
         let told = "heights of a track that says no altitudeMode are taken above mean sea level";
         findings.push(told.to_owned());
     }
-    let points = joined(walk.tracks, &mut findings);
+    let mut points = joined(walk.tracks, &mut findings);
+    // Points that all have the time at which the file was written are a line.
+    let first = points.first().and_then(seconds);
+    if points.iter().all(|point| seconds(point) == first) {
+        points.clear();
+    }
     TimedTrack {
         points,
         left_out: walk.left_out,
@@ -377,6 +381,17 @@ mod tests {
                 .any(|note| note.contains("cut off at byte"))
         );
         assert_eq!(folder.flight.truth.unwrap().states.len(), 60);
+        // With prefixes.
+        let prefixed = gpx(&gpx_of(0..100, "Z"))
+            .replace('<', "<g:")
+            .replace("<g:/", "</g:");
+        let prefixed = prefixed.replace("<g:?", "<?").replace("x:speed", "speed");
+        check(&read("a.gpx", &prefixed), 100);
+        // Times of when a line was drawn.
+        let (before, point) = whole.split_at(whole.find("<trkpt").unwrap());
+        let point = point.split_inclusive("</trkpt>").next().unwrap();
+        let drawn = format!("{before}{}</trkseg></trk></gpx>", point.repeat(20));
+        assert!(read_track("a.gpx", drawn.as_bytes()).unwrap().is_none());
         // A planned track and routes have no times.
         let planned = gpx(
             "<trk><trkseg><trkpt lat=\"1\" lon=\"2\"/><trkpt lat=\"1\" lon=\"3\"/></trkseg></trk>",
