@@ -3,6 +3,7 @@
 use super::super::gps_time::utc_of_gps;
 use super::super::{FieldKind, FieldLayout, Log, Topic};
 use super::format::MessageFormat;
+use pilotage_base::text::by_count;
 
 /// Kind of fix from which on a receiver knows the time.
 const FULL_FIX: f64 = 3.0;
@@ -12,6 +13,11 @@ const FIRST_WEEK: f64 = 1565.0;
 const ROLLOVER: f64 = 1024.0;
 /// Most full fixes that are asked for the date.
 const DATES: usize = 1000;
+/// A fix that lies further from the one before it is believed once the next one follows it, seconds.
+const DOUBTFUL: f64 = 60.0;
+/// Milliseconds of a week, at whose end receivers that tell no week begin anew, and those around its end.
+const WEEK: f64 = 604_800_000.0;
+const AROUND: f64 = 60_000.0;
 /// Most rows between two fixes whose times are found later.
 const WAITING: usize = 1 << 16;
 
@@ -77,6 +83,15 @@ enum Base {
     Satellites(f64),
 }
 
+/// A fix far from the one before it.
+#[derive(Clone, Copy, Debug)]
+struct Doubted {
+    /// Its time, seconds.
+    time: f64,
+    /// Rows that waited for it.
+    rows: usize,
+}
+
 /// The clock of a log.
 #[derive(Clone, Debug)]
 pub struct Clock {
@@ -88,6 +103,13 @@ pub struct Clock {
     dates: Vec<f64>,
     /// Rows since the last fix, by place of the topic and number, where only fixes tell the time.
     waiting: Vec<(usize, usize)>,
+    /// A fix that the next one has to agree with.
+    doubted: Option<Doubted>,
+    /// Fixes that the next ones did not agree with.
+    unheeded: usize,
+    /// Milliseconds of the last fix without a week, and weeks that began since the first.
+    last: f64,
+    weeks: f64,
 }
 
 impl Clock {
@@ -99,6 +121,10 @@ impl Clock {
             is_dated: false,
             dates: Vec::new(),
             waiting: Vec::new(),
+            doubted: None,
+            unheeded: 0,
+            last: 0.0,
+            weeks: 0.0,
         }
     }
 
@@ -157,7 +183,12 @@ impl Clock {
         if week.is_none() && milliseconds == 0.0 {
             return;
         }
-        let since_1980 = week.unwrap_or(0.0) * 604_800_000.0 + milliseconds;
+        if week.is_none() {
+            let has_begun = self.last > WEEK - AROUND && milliseconds < AROUND;
+            self.weeks += f64::from(u8::from(has_begun));
+            self.last = milliseconds;
+        }
+        let since_1980 = week.unwrap_or(self.weeks) * WEEK + milliseconds;
         self.satellites(since_1980, log);
         if matches!(self.base, Base::Satellites(_)) {
             log.topics[place].times[row] = self.now;
@@ -188,6 +219,13 @@ impl Clock {
 
     /// The log is over: a date that most full fixes contradict, as one damaged time makes it, gives way to theirs.
     pub fn settle(&mut self, log: &mut Log) {
+        let unheeded = self.unheeded + usize::from(self.doubted.is_some());
+        if unheeded > 0 {
+            log.report.remark(format!(
+                "{unheeded} {} far from those around it: rows have their times by the others",
+                by_count(unheeded, "fix has a time", "fixes have times")
+            ));
+        }
         let mut dates = std::mem::take(&mut self.dates);
         dates.sort_by(f64::total_cmp);
         let Some(middle) = dates.get(dates.len() / 2).copied() else {
@@ -200,27 +238,60 @@ impl Clock {
         }
     }
 
-    /// Spreads messages without a time of their own evenly over the time between two fixes.
+    /// Spreads messages without a time of their own evenly over the time between two fixes. One wrong time is not heeded.
     fn satellites(&mut self, milliseconds: f64, log: &mut Log) {
-        match self.base {
-            Base::Start => {}
-            Base::None => self.base = Base::Satellites(milliseconds),
-            Base::Satellites(first) => {
-                let (before, now) = (self.now, (milliseconds - first) / 1e3);
-                if now > before {
-                    // The fix itself is the last of those that wait.
-                    let count = self.waiting.len() as f64;
-                    for ((place, row), i) in self.waiting.drain(..).zip(1_u32..) {
-                        let part = f64::from(i) / count;
-                        if let Some(time) = log.topics[place].times.get_mut(row) {
-                            *time = before + (now - before) * part;
-                        }
-                    }
-                    self.now = now;
-                }
+        let Base::Satellites(first) = self.base else {
+            if self.base == Base::None {
+                self.base = Base::Satellites(milliseconds);
+            }
+            self.waiting.clear();
+            return;
+        };
+        let mut now = (milliseconds - first) / 1e3;
+        let before = self.doubted.take();
+        if (now - self.now).abs() > DOUBTFUL {
+            let agrees = |doubted: &Doubted| (0.0..=DOUBTFUL).contains(&(now - doubted.time));
+            let Some(doubted) = before.filter(agrees) else {
+                self.unheeded += usize::from(before.is_some());
+                self.doubted = Some(Doubted {
+                    time: now,
+                    rows: self.waiting.len(),
+                });
+                return;
+            };
+            let mut time = doubted.time;
+            if time < self.now {
+                // Times of a clock that was set back go on.
+                let by = self.now - time + (now - time);
+                log.report.remark(format!(
+                    "the receiver's clock was set back by {:.0} s at {:.0} s: times go on from there",
+                    self.now - time,
+                    self.now
+                ));
+                self.base = Base::Satellites(first - by * 1e3);
+                (time, now) = (time + by, now + by);
+            }
+            self.spread(doubted.rows, time, log);
+        } else {
+            self.unheeded += usize::from(before.is_some());
+        }
+        if now > self.now {
+            // The fix itself is the last of those that wait.
+            self.spread(self.waiting.len(), now, log);
+        }
+    }
+
+    /// Gives the first rows that wait their times from now to a fix at `time`.
+    fn spread(&mut self, rows: usize, time: f64, log: &mut Log) {
+        let rows = self.waiting.drain(..rows.min(self.waiting.len()));
+        let count = rows.len() as f64;
+        for ((place, row), i) in rows.zip(1_u32..) {
+            let part = f64::from(i) / count;
+            if let Some(own) = log.topics[place].times.get_mut(row) {
+                *own = self.now + (time - self.now) * part;
             }
         }
-        self.waiting.clear();
+        self.now = time;
     }
 }
 

@@ -447,6 +447,96 @@ fn without_a_clock_rows_are_spread_between_the_fixes() {
     );
 }
 
+/// A log of a receiver that tells the time in those milliseconds five times a second, with two angles between.
+fn by_fixes(names: &str, milliseconds: impl Fn(u32) -> String) -> Log {
+    let mut text = format!("FMT, 1, 50, GPS, {names}\nFMT, 2, 50, ATT, c, Roll\n");
+    for i in 0..100 {
+        text.push_str(&format!("ATT, 1\nATT, 2\nGPS, 3, {}\n", milliseconds(i)));
+    }
+    read_text(&text)
+}
+
+#[test]
+fn a_wrong_time_of_a_receiver_is_not_the_clock_and_a_week_may_end() {
+    let regular = |log: &Log, gone: usize| {
+        let (fixes, angles) = (times(log, "GPS"), times(log, "ATT"));
+        assert_eq!(
+            (fixes.len(), angles.len()),
+            (100, 200),
+            "{:?}",
+            log.report.remarks
+        );
+        for (i, time) in fixes.iter().enumerate() {
+            let right = 0.2 * i as f64;
+            assert!(
+                (time - right).abs() < if i == gone { 0.2 } else { 1e-6 },
+                "{i}: {time}"
+            );
+        }
+        let steps: Vec<f64> = angles[4..].windows(2).map(|w| w[1] - w[0]).collect();
+        assert!(steps.iter().all(|step| *step > 0.05 && *step < 0.15));
+    };
+    let week = "BIH, Status,TimeMS,Week";
+    for wrong in [1_u32 << 24, 1 << 29, 0x4000_0000] {
+        let log = by_fixes(week, |i| {
+            format!(
+                "{}, 1790",
+                (295_200_000 + 200 * i) ^ if i == 50 { wrong } else { 0 }
+            )
+        });
+        regular(&log, 50);
+        let told = |word: &str| {
+            log.report
+                .remarks
+                .iter()
+                .any(|remark| remark.contains(word))
+        };
+        assert!(
+            told("1 fix has a time far from"),
+            "{:?}",
+            log.report.remarks
+        );
+        let start = 315_964_800.0 + 1790.0 * 604_800.0 + 295_200.0 - 16.0;
+        assert!((log.utc_at_zero.unwrap() - start).abs() < 1e-6);
+    }
+    let turning = |i: u32| (604_790_000 + 200 * i) % 604_800_000;
+    regular(
+        &by_fixes("BI, Status,Time", |i| turning(i).to_string()),
+        1000,
+    );
+    regular(
+        &by_fixes(week, |i| {
+            format!("{}, {}", turning(i), 1790 + u32::from(i >= 50))
+        }),
+        1000,
+    );
+}
+
+#[test]
+fn a_receiver_that_pauses_or_is_set_back_goes_on() {
+    let set = |by: i64| {
+        let told = move |i: u32| 295_200_000 + 200 * i64::from(i) + if i < 50 { 0 } else { by };
+        by_fixes("BIH, Status,TimeMS,Week", move |i| {
+            format!("{}, 1790", told(i))
+        })
+    };
+    let later = times(&set(3_600_000), "GPS");
+    assert!((later[99] - 3619.8).abs() < 1e-6 && (later[49] - 9.8).abs() < 1e-6);
+    assert!((later[50] - 3610.0).abs() < 1e-6);
+    let log = set(-3_600_000);
+    let back = times(&log, "GPS");
+    assert!(
+        back.windows(2).all(|w| (w[1] - w[0] - 0.2).abs() < 1e-6),
+        "{back:?}"
+    );
+    assert!(
+        log.report
+            .remarks
+            .iter()
+            .any(|it| it.contains("set back by 3600 s"))
+    );
+}
+
 #[test]
 fn parameters_messages_and_modes_are_told_by_themselves() {
     let log = read_text(
