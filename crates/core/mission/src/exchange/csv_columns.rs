@@ -188,7 +188,7 @@ impl CsvRole {
     }
 
     /// Units that the column may state; none for text.
-    fn units(self) -> &'static [Unit] {
+    pub(super) fn units(self) -> &'static [Unit] {
         match self {
             Self::Latitude | Self::Longitude => &[Unit::Degree, Unit::TenMillionth],
             Self::Speed => &[
@@ -454,7 +454,7 @@ fn other_name(of: &str) -> &'static str {
 }
 
 /// A name with blanks before the capitals at which its words begin: `AltitudeAGL`, `GPSLatitude`.
-fn parted(name: &str) -> String {
+pub(super) fn parted(name: &str) -> String {
     let letters: Vec<char> = name.chars().collect();
     let is = |at: usize, of: fn(char) -> bool| letters.get(at).is_some_and(|c| of(*c));
     let mut text = String::with_capacity(name.len() + 4);
@@ -473,27 +473,31 @@ fn parted(name: &str) -> String {
 
 /// The meaning of a column by its name as it stands, else by the words that its capitals part.
 fn column(name: &str) -> CsvColumn {
-    let whole = column_of(name, name);
+    let known = |name: &str| {
+        let mut names = NAMES.iter();
+        let found = names.find(|(_, names)| names.contains(&name));
+        found.map(|(role, _)| (*role, None))
+    };
+    let whole = column_of(name, name, &known);
     if whole.role.is_some() {
         return whole;
     }
-    column_of(name, &parted(name))
+    column_of(name, &parted(name), &known)
 }
 
-fn column_of(name: &str, words: &str) -> CsvColumn {
+/// The column of that name by its words, of which `known` says the role and what heights so called count from.
+pub(super) fn column_of(
+    name: &str,
+    words: &str,
+    known: &dyn Fn(&str) -> Option<(CsvRole, Option<AltitudeFrame>)>,
+) -> CsvColumn {
     let plain = words.to_lowercase();
     let is_break = |c: char| c.is_whitespace() || "_-()[]{}:,.".contains(c);
     let mut words: Vec<&str> = plain.split(is_break).filter(|w| !w.is_empty()).collect();
-    let role_of = |words: &[&str]| {
-        let name = words.join(" ");
-        NAMES
-            .iter()
-            .find(|(_, names)| names.contains(&name.as_str()))
-            .map(|(role, _)| *role)
-    };
     let (mut unit, mut frame) = (None, None);
     loop {
-        if let Some(role) = role_of(&words) {
+        if let Some((role, told)) = known(&words.join(" ")) {
+            frame = frame.or(told);
             // An elevation counts from mean sea level, whatever stands beside it.
             if words
                 .first()

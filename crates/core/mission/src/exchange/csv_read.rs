@@ -176,13 +176,14 @@ fn read_named(file: &str, content: &str, added: u64) -> Result<GeodeticContent, 
     }
     let xy = opened.find_places()?;
     let OpenedTable {
-        table,
+        mut table,
         mut records,
         end,
         utm,
         ..
     } = opened;
     let unplaced = table.leave_unplaced(&mut records);
+    table.take_flown_height();
     let rows: Vec<CsvRow> = records
         .into_iter()
         .map(|(line, record)| CsvRow {

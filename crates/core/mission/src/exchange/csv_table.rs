@@ -8,6 +8,7 @@ use serde_json::Value;
 use super::csv_axes::is_grid_axis;
 use super::csv_columns::{CsvColumn, CsvRole, Unit};
 use super::csv_geometry::geometry;
+use super::csv_heights::flown_height;
 use super::csv_letter_o::without_o;
 use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
 use super::{ExchangeError, angle};
@@ -156,6 +157,22 @@ impl ReadCsvTable<'_> {
                     column.role = None;
                 }
             }
+        }
+    }
+
+    /// Takes the first column of heights to fly at for the altitude of way-points, where no column is called one.
+    pub(super) fn take_flown_height(&mut self) {
+        if !self.holds_way_points() || self.has(CsvRole::Altitude) {
+            return;
+        }
+        let mut columns = self.columns.iter_mut();
+        let found = columns.find_map(|column| {
+            let is_free = column.role.is_none_or(|role| role == CsvRole::Height);
+            let height = flown_height(&column.name).filter(|_| is_free)?;
+            Some((column, height))
+        });
+        if let Some((column, height)) = found {
+            *column = height;
         }
     }
 
@@ -398,13 +415,20 @@ impl CsvRow<'_> {
         let Some((column, cell)) = self.cell(role) else {
             return Ok(None);
         };
+        let finite = |text: &str| text.parse::<f64>().ok().filter(|v| v.is_finite());
         let plain = self.with_point(cell);
-        let value: f64 = plain
-            .parse()
-            .ok()
-            .filter(|v: &f64| v.is_finite())
+        // A unit behind the number goes before that of the column.
+        let with_unit = || {
+            let end = plain.rfind(|c: char| c.is_ascii_digit())? + 1;
+            let unit = Unit::of(&plain[end..].trim().to_lowercase())?;
+            let is_of_role = role.units().contains(&unit);
+            Some((finite(&plain[..end])?, unit)).filter(|_| is_of_role)
+        };
+        let (value, unit) = finite(&plain)
+            .map(|value| (value, column.unit))
+            .or_else(|| with_unit().map(|(value, unit)| (value, Some(unit))))
             .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
-        Ok(Some(value * column.unit.map_or(1.0, Unit::factor)))
+        Ok(Some(value * unit.map_or(1.0, Unit::factor)))
     }
 
     /// An angle on the globe in degrees, whose hemisphere is its sign, a letter at the number, or the

@@ -16,6 +16,7 @@ mod csv_cells;
 mod csv_columns;
 mod csv_fixed;
 mod csv_geometry;
+mod csv_heights;
 mod csv_hemisphere;
 mod csv_letter_o;
 mod csv_named;
