@@ -2,14 +2,22 @@
 
 use super::date_spellings::in_iso;
 use super::moment::Moment;
+use super::since_1970::is_since_1970;
 
 /// Length of the shortest time of day, `1:02:03`.
 const LEAST: usize = 7;
 
+/// Second zero of 1970 in the counts of Windows of a ten-millionth of a second, since the years 1 (.NET) and 1601 (its
+/// files).
+const TICKS_TO_1970: [i64; 2] = [621_355_968_000_000_000, 116_444_736_000_000_000];
+const TICKS_A_SECOND: i64 = 10_000_000;
+/// Digits of these counts in 1990 to 2040.
+const TICK_DIGITS: usize = 18;
+
 /// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
 /// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `5/1/24 10:00:00 AM`, `01.05.24 10:00:00`, `10:00:00.250`,
-/// `10:00:00,250`, `10:00:00:250`, minutes and seconds alone (`59:12.5`), `0 days 00:01:12.5`, `1h02m12.5s`, and those of
-/// [`in_iso`]. Times without a zone are taken as they are.
+/// `10:00:00,250`, `10:00:00:250`, minutes and seconds alone (`59:12.5`), `0 days 00:01:12.5`, `1h02m12.5s`, ticks of Windows
+/// (`638501544000000000`), and those of [`in_iso`]. Times without a zone are taken as they are.
 ///
 /// Of days and months that stand before the year and could be either, the first is the month where a slash stands between
 /// them or a half of the day is told, else the day. Nothing but the date rests on it.
@@ -21,10 +29,35 @@ pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
     if text.len() < LEAST {
         return duration(text);
     }
+    if let Some(moment) = of_ticks(text) {
+        return Some(moment);
+    }
     let halves = text.replace("a.m.", "AM").replace("p.m.", "PM");
     plain(&halves)
         .or_else(|| plain(&in_iso(&halves)?))
         .or_else(|| duration(text))
+}
+
+/// Whether a number is a count of ticks of Windows in 1990 to 2040.
+pub(crate) fn is_of_ticks(number: f64) -> bool {
+    let second = TICKS_A_SECOND as f64;
+    let since_1970 = |zero: i64| (number - zero as f64) / second;
+    (TICKS_TO_1970.into_iter()).any(|zero| is_since_1970(since_1970(zero)))
+}
+
+/// The moment of such a count.
+fn of_ticks(text: &str) -> Option<Moment> {
+    let whole = text
+        .split('.')
+        .next()
+        .filter(|it| it.len() == TICK_DIGITS)?;
+    let ticks: i64 = whole.parse().ok()?;
+    let moments = TICKS_TO_1970.into_iter().map(|zero| ticks - zero);
+    let second = TICKS_A_SECOND as f64;
+    let mut moments = moments.filter(|since| is_since_1970(*since as f64 / second));
+    let since = moments.next()?;
+    let part = since.rem_euclid(TICKS_A_SECOND) as f64 / second;
+    Some(Moment::Absolute(since.div_euclid(TICKS_A_SECOND), part))
 }
 
 fn plain(text: &str) -> Option<Moment> {

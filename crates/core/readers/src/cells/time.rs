@@ -1,8 +1,9 @@
 //! Unit of a column that may be the time.
 
-use super::date::{date_and_time, of_clock_number};
+use super::date::{date_and_time, is_of_ticks, of_clock_number};
 use super::moment::Moment;
 use super::sample::{ColumnSample, median};
+use super::since_1970::is_since_1970;
 
 /// Units that a time may be in: seconds, parts of them, date and time, hours with minutes and seconds in one number, days,
 /// minutes, hours.
@@ -34,14 +35,6 @@ const DIGITS: std::ops::Range<f64> = 1.99e13..2.041e13;
 const SPAN: (f64, f64) = (2.0, 50_000.0);
 const STEP: (f64, f64) = (2e-4, 30.0);
 
-/// Seconds since 1970 of flights: from 1990 to 2040.
-const EPOCH: std::ops::Range<f64> = 6.3e8..2.3e9;
-
-/// Whether a flight may have been so many seconds after the beginning of 1970.
-pub(crate) fn is_since_1970(seconds: f64) -> bool {
-    EPOCH.contains(&seconds)
-}
-
 /// Time between rows of a usual log, seconds.
 const USUAL_STEP: f64 = 0.05;
 
@@ -64,10 +57,12 @@ pub(crate) fn seconds(unit: &str) -> f64 {
 pub(crate) fn seconds_of(unit: &str, number: f64) -> f64 {
     match unit {
         CLOCK => of_clock_number(number).unwrap_or(f64::NAN),
-        DATE if DIGITS.contains(&number) => match date_and_time(&format!("{number:.6}")) {
-            Some(Moment::Absolute(whole, fraction)) => whole as f64 + fraction,
-            _ => f64::NAN,
-        },
+        DATE if DIGITS.contains(&number) || is_of_ticks(number) => {
+            match date_and_time(&format!("{number:.6}")) {
+                Some(Moment::Absolute(whole, fraction)) => whole as f64 + fraction,
+                _ => f64::NAN,
+            }
+        }
         unit => number * seconds(unit),
     }
 }
@@ -124,6 +119,10 @@ pub(crate) fn unit_of_time(
     let may_stand = !sample.name.starts_with('#') && sample.goes_on();
     if !sample.is_numeric() || !(sample.grows() || may_stand) {
         return None;
+    }
+    if sample.numbers.iter().all(|n| is_of_ticks(*n)) {
+        let reason = "cells count tenths of microseconds, as Windows does".to_owned();
+        return Some((DATE, 0.95, reason));
     }
     let are_digits = |n: &f64| seconds_of(DATE, *n).is_finite() && DIGITS.contains(n);
     if sample.numbers.iter().all(are_digits) {

@@ -6,7 +6,7 @@ use super::header::parts;
 use super::part_units::{ANGLE_UNITS, CALENDAR, MILLISECONDS, SECONDS_REACH};
 use super::settle::{give_up, unused};
 use super::{ColumnRole, ColumnSample, MappedColumn, time};
-use crate::cells::{Moment, date_and_time, days_since_1970};
+use crate::cells::{Moment, date_and_time, days_since_1970, is_since_1970};
 
 /// Words that columns of the seconds themselves end in.
 const SECONDS: [&str; 6] = ["second", "seconds", "sec", "secs", "ss", "s"];
@@ -285,7 +285,7 @@ pub(super) fn date(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     }
     let is_date = |text: &String| {
         let moment = date_and_time(text);
-        matches!(moment, Some(Moment::Absolute(whole, _)) if time::is_since_1970(whole as f64))
+        matches!(moment, Some(Moment::Absolute(whole, _)) if is_since_1970(whole as f64))
     };
     let found = (0..columns.len()).find(|index| {
         let sample = &samples[*index];

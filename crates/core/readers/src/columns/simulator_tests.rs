@@ -116,6 +116,33 @@ fn brackets_say_what_heights_count_from_and_their_short_name_is_one() {
 }
 
 #[test]
+fn ticks_of_windows_are_dates() {
+    // 2024-05-01 10:00:00, since the year 1 and since 1601.
+    for first in [638_501_544_000_000_000_u64, 133_590_312_000_000_000] {
+        let (map, flight) = read("Timestamp,latitude,longitude,altitude [m]", |at| {
+            let ticks = first + 1000 * (at.time * 1e4).round() as u64;
+            format!(
+                "{ticks},{:.8},{:.8},{:.2}",
+                at.latitude, at.longitude, at.height
+            )
+        });
+        let (begin, end) = flight.span();
+        assert!(
+            (end - begin - 119.8).abs() < 1e-6,
+            "{} {:?}",
+            end - begin,
+            map.findings
+        );
+    }
+    let moment = crate::cells::date_and_time("638501544002500000");
+    assert_eq!(
+        moment,
+        Some(crate::cells::Moment::Absolute(1_714_557_600, 0.25))
+    );
+    assert_eq!(crate::cells::date_and_time("1714557600000000000"), None);
+}
+
+#[test]
 fn a_counter_that_begins_anew_is_the_time_of_a_short_table_too() {
     let of = |count: usize, counter: &dyn Fn(usize) -> u32| {
         let rows = flown().into_iter().take(count).enumerate();

@@ -2,7 +2,7 @@
 
 use super::layout::TimeColumn;
 use super::log::FlightTables;
-use crate::cells::{has_zone, time::is_since_1970};
+use crate::cells::{has_zone, is_since_1970};
 
 impl FlightTables {
     /// Coordinated universal time at second 0, seconds since 1970: of times that have a date with a zone, or are counted
