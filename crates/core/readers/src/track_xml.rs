@@ -21,7 +21,7 @@ const LEAST_STAMPED: usize = 10;
 /// Time as text and values of [`COLUMNS`].
 pub(crate) type TrackPoint = (String, [Option<f64>; 6]);
 
-/// What a file tells: its track, and sentences on it.
+/// Track of a file, and sentences on it.
 pub(crate) struct TimedTrack {
     pub points: Vec<TrackPoint>,
     /// Points without a time or a place.
@@ -129,7 +129,7 @@ fn joined(mut tracks: Vec<Vec<TrackPoint>>, findings: &mut Vec<String>) -> Vec<T
     taken.into_iter().flat_map(|(_, _, track)| track).collect()
 }
 
-/// Where a file is being read.
+/// State of a reading.
 #[derive(Default)]
 struct Walk {
     /// Local names of the elements that are open.

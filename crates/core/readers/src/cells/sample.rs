@@ -93,7 +93,7 @@ impl ColumnSample {
             && (is_few(back) || is_few(back - self.beginnings()))
     }
 
-    /// How often a counter of 16 to 32 bits begins anew: it goes back from less than three usual steps before its end to as
+    /// Times that a counter of 16 to 32 bits begins anew: it goes back from less than three usual steps before its end to as
     /// little behind its beginning.
     fn beginnings(&self) -> usize {
         let steps = self.numbers.windows(2).map(|w| w[1] - w[0]);

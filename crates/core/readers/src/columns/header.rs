@@ -99,7 +99,7 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// What heights count from, as units of them say it.
+/// Zeros of heights, as their units say them.
 const DATUMS: [&str; 4] = ["amsl", "msl", "agl", "hae"];
 
 impl NameParts {

@@ -49,7 +49,7 @@ pub(super) fn without_thousands(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<Stri
     (Cow::Owned(spliced(&text, changes)), told)
 }
 
-/// What the dots of a column are.
+/// Meaning of the dots of a column.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Parted {
     /// They part thousands.
