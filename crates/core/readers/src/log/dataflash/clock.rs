@@ -15,6 +15,8 @@ const ROLLOVER: f64 = 1024.0;
 const DATES: usize = 1000;
 /// A fix that lies further from the one before it is believed once the next one follows it, seconds.
 const DOUBTFUL: f64 = 60.0;
+/// Longest pause between two fixes, seconds.
+const DAY: f64 = 86_400.0;
 /// Milliseconds of a week, at whose end receivers that tell no week begin anew, and those around its end.
 const WEEK: f64 = 604_800_000.0;
 const AROUND: f64 = 60_000.0;
@@ -260,12 +262,13 @@ impl Clock {
                 return;
             };
             let mut time = doubted.time;
-            if time < self.now {
-                // Times of a clock that was set back go on.
+            if !(0.0..DAY).contains(&(time - self.now)) {
+                // Times of a clock that was set back, or that found out about the date, go on.
                 let by = self.now - time + (now - time);
+                let way = if time < self.now { "back" } else { "forward" };
                 log.report.remark(format!(
-                    "the receiver's clock was set back by {:.0} s at {:.0} s: times go on from there",
-                    self.now - time,
+                    "the receiver's clock was set {way} by {:.0} s at {:.0} s: times go on from there",
+                    (self.now - time).abs(),
                     self.now
                 ));
                 self.base = Base::Satellites(first - by * 1e3);

@@ -535,6 +535,22 @@ fn a_receiver_that_pauses_or_is_set_back_goes_on() {
             .iter()
             .any(|it| it.contains("set back by 3600 s"))
     );
+    // Without a fix it counts from when it was switched on.
+    let log = by_fixes("BIH, Status,TimeMS,Week", |i| match i {
+        0..50 => format!("{}, 0", 5000 + 200 * i),
+        _ => format!("{}, 1790", 295_200_000 + 200 * i),
+    });
+    let fixes = times(&log, "GPS");
+    assert!(
+        fixes.windows(2).all(|w| (w[1] - w[0] - 0.2).abs() < 1e-6),
+        "{fixes:?}"
+    );
+    let start = 315_964_800.0 + 1790.0 * 604_800.0 + 295_200.0 - 16.0;
+    assert!(
+        (log.utc_at_zero.unwrap() - start).abs() < 0.3,
+        "{:?}",
+        log.utc_at_zero
+    );
 }
 
 #[test]
