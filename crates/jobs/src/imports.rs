@@ -157,9 +157,10 @@ pub fn imports(
 /// Whether the only file of a flight, which is made of it, is a track of GPX or KML and has nothing else: as a route it would
 /// be there twice.
 fn is_the_flight(pool: &dyn FileSet, name: &str, bytes: &[u8]) -> bool {
-    let others: [&[u8]; 5] = [
+    let others: [&[u8]; 6] = [
         b"<wpt",
         b"<rtept",
+        b"<Point",
         b"LineString",
         b"Polygon",
         b"GroundOverlay",
@@ -222,13 +223,32 @@ mod tests {
     use super::super::file_pool::FilePool;
     use super::super::{FileContent, LentFiles};
     use super::*;
-    use pilotage_core::flight::files::{FileSink as _, ZipSink};
+    use pilotage_core::flight::files::{FileSink as _, MemoryFiles, ZipSink};
     use pilotage_core::imagery::ByteSource;
 
     const WAY_POINTS: &str = "QGC WPL 110\n\
         0\t1\t0\t16\t0\t0\t0\t0\t47.0\t8.0\t400\t1\n\
         1\t0\t3\t16\t0\t0\t0\t0\t47.001\t8.0\t80\t1\n\
         2\t0\t3\t16\t0\t0\t0\t0\t47.002\t8.001\t80\t1\n";
+
+    #[test]
+    fn a_track_alone_is_no_route_beside_its_flight_and_points_stay_landmarks() {
+        let track = b"<gpx><trk><trkseg><trkpt lat='47' lon='8'/></trkseg></trk></gpx>".to_vec();
+        let points = b"<kml><Placemark><Point/></Placemark></kml>".to_vec();
+        for (names, bytes, is_flight) in [
+            (&["a.gpx"][..], &track, true),
+            (&["a.gpx", "b.csv"][..], &track, false),
+            (&["a.kml"][..], &points, false),
+        ] {
+            let files = names.iter().map(|name| ((*name).to_owned(), bytes.clone()));
+            let pool = MemoryFiles(files.collect());
+            assert_eq!(
+                is_the_flight(&pool, names[0], bytes),
+                is_flight,
+                "{names:?}"
+            );
+        }
+    }
 
     #[test]
     fn the_only_mission_in_a_zip_is_read_and_several_are_named() {
