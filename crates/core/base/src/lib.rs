@@ -12,6 +12,7 @@ pub mod georeference;
 pub mod hemisphere_in_name;
 pub mod loose_json;
 pub mod place_text;
+pub mod separator;
 pub mod sorting;
 pub mod statistics;
 pub mod text;

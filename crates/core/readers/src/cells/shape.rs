@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::date::date_and_time;
 use super::spellings::is_unit;
 use pilotage_base::angle_text::degrees_of_text;
+use pilotage_base::separator::Separator;
 
 /// Lines that are looked at.
 const LINES: usize = 200;
@@ -14,85 +15,6 @@ const LINES: usize = 200;
 const LONGEST_TALK: usize = 100;
 /// Letters that lines begin with which are remarks.
 const REMARKS: [char; 3] = ['#', '%', '!'];
-
-/// Separator between the cells of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Separator {
-    /// `,`
-    Comma,
-    /// `;`
-    Semicolon,
-    /// A tabulator.
-    Tab,
-    /// `|`
-    Bar,
-    /// Any number of blanks.
-    Blanks,
-}
-
-impl Separator {
-    /// Every one, the likeliest first.
-    pub const ALL: [Self; 5] = [
-        Self::Comma,
-        Self::Semicolon,
-        Self::Tab,
-        Self::Bar,
-        Self::Blanks,
-    ];
-
-    /// The byte that it is; a blank for any number of them.
-    pub fn byte(self) -> u8 {
-        match self {
-            Self::Comma => b',',
-            Self::Semicolon => b';',
-            Self::Tab => b'\t',
-            Self::Bar => b'|',
-            Self::Blanks => b' ',
-        }
-    }
-
-    /// The cells of a line, without blanks and quotes around them.
-    pub fn cells(self, line: &str) -> Vec<Cow<'_, str>> {
-        if self == Self::Blanks {
-            return line.split_whitespace().map(Cow::Borrowed).collect();
-        }
-        let mut cells = Vec::new();
-        let mut rest = line;
-        loop {
-            let (cell, after) = next_cell(rest, char::from(self.byte()));
-            cells.push(cell);
-            match after {
-                Some(after) => rest = after,
-                None => return cells,
-            }
-        }
-    }
-}
-
-/// The first cell of what is left of a line, and what is left behind it.
-fn next_cell(line: &str, separator: char) -> (Cow<'_, str>, Option<&str>) {
-    let Some(quoted) = line.trim_start_matches(' ').strip_prefix('"') else {
-        return match line.split_once(separator) {
-            Some((cell, rest)) => (Cow::Borrowed(cell.trim()), Some(rest)),
-            None => (Cow::Borrowed(line.trim()), None),
-        };
-    };
-    let mut cell = String::new();
-    let mut letters = quoted.char_indices().peekable();
-    while let Some((place, letter)) = letters.next() {
-        if letter != '"' {
-            cell.push(letter);
-        } else if letters.next_if(|(_, next)| *next == '"').is_some() {
-            cell.push('"');
-        } else {
-            let behind = &quoted[place + 1..];
-            let rest = behind.split_once(separator).map(|(_, rest)| rest);
-            return (Cow::Owned(cell.trim().to_owned()), rest);
-        }
-    }
-    (Cow::Owned(cell.trim().to_owned()), None)
-}
 
 /// Shape of a table as text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -258,8 +180,8 @@ pub(crate) fn is_missing(cell: &str) -> bool {
 /// Tells whether a cell may be a value: empty, a number, or a date and time.
 fn is_value(cell: &str) -> bool {
     cell.is_empty()
-        || is_missing(cell)
         || number(cell, true).is_some()
+        || is_missing(cell)
         || date_and_time(cell).is_some()
 }
 

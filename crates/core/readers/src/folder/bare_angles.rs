@@ -1,9 +1,8 @@
 //! Latitudes and longitudes in degrees, minutes and seconds that have nothing but blanks or colons between them.
 
 use std::borrow::Cow;
-use std::ops::Range;
 
-use super::table_text::{ANGLES, TableText, places, some_lines, spliced, words};
+use super::table_text::{ANGLES, Changes, TableText, words};
 use crate::cells::Separator;
 
 /// Degrees of a cell of two or three numbers: `-0 25 12.5`, `51:28.63`; `None` of a plain number and of anything else.
@@ -31,37 +30,24 @@ fn degrees(cell: &str) -> Option<f64> {
     (!has_sign && amount <= 180.0).then_some(signed)
 }
 
-/// The text of a table whose latitudes and longitudes both are so, with degrees in their place.
-pub(super) fn with_degrees(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
-    let changes = std::str::from_utf8(&text).ok().and_then(changes);
-    let Some(changes) = changes else {
-        return text;
-    };
-    Cow::Owned(spliced(&text, changes))
+/// Cells to change where the latitudes and longitudes of a table both are so, and degrees in their place.
+pub(super) fn as_degrees(table: &TableText) -> (Changes, Vec<String>) {
+    (changes(table).unwrap_or_default(), Vec::new())
 }
 
-/// Cells to change, in their order, and what comes there; `None` where latitude and longitude are none of these.
-fn changes(whole: &str) -> Option<Vec<(Range<usize>, Vec<u8>)>> {
-    let table = TableText::of(whole).filter(|table| {
-        // Between blanks they are cells of their own.
-        table.separator != Separator::Blanks
-    })?;
-    let TableText {
-        separator,
-        titles,
-        start,
-        rows,
-        ..
-    } = table;
-    let some = some_lines(rows);
+/// These; `None` where latitude and longitude are none.
+fn changes(table: &TableText) -> Option<Changes> {
+    let separator = table.separator;
+    // Between blanks they are cells of their own.
+    if separator == Separator::Blanks {
+        return None;
+    }
+    let titles = &table.titles;
     let column = |names: &[&str]| {
         let is_named = |title: &Cow<str>| words(title).iter().any(|w| names.contains(&w.as_str()));
         let is_it = |at: &usize| {
-            let cell = |line: &&str| {
-                let place = places(line, separator).get(*at).cloned()?;
-                Some(line[place].to_owned()).filter(|cell| !cell.is_empty())
-            };
-            let cells: Vec<String> = some.iter().filter_map(cell).collect();
+            let cells = table.some_cells().iter().filter_map(|row| row.get(*at));
+            let cells: Vec<&str> = cells.copied().filter(|cell| !cell.is_empty()).collect();
             let count = cells.iter().filter(|cell| degrees(cell).is_some()).count();
             count > 2 && 10 * count >= 9 * cells.len()
         };
@@ -70,9 +56,9 @@ fn changes(whole: &str) -> Option<Vec<(Range<usize>, Vec<u8>)>> {
     let mut columns = [column(ANGLES[0])?, column(ANGLES[1])?];
     columns.sort_unstable();
     let mut changes = Vec::new();
-    let mut begin = start;
-    for line in rows.split_inclusive('\n') {
-        let places = places(line, separator);
+    let mut begin = table.start;
+    for line in table.rows.split_inclusive('\n') {
+        let places = separator.places(line);
         for place in columns.iter().filter_map(|at| places.get(*at)) {
             if let Some(degrees) = degrees(&line[place.clone()]) {
                 let range = begin + place.start..begin + place.end;
@@ -86,10 +72,11 @@ fn changes(whole: &str) -> Option<Vec<(Range<usize>, Vec<u8>)>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::table_text::with_changes;
     use super::*;
 
     fn read(text: &str) -> String {
-        let read = with_degrees(Cow::Borrowed(text.as_bytes()));
+        let (read, _) = with_changes(Cow::Borrowed(text.as_bytes()), &[as_degrees]);
         String::from_utf8(read.into_owned()).unwrap()
     }
 

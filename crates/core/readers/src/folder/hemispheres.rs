@@ -3,10 +3,9 @@
 //! A flight over the equator or over Greenwich has `N` in some rows and `S` in others. South and west become signs of the
 //! latitudes and longitudes, and all letters those of north and east, so that the rest of a table is read as any other.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use super::table_text::{ANGLES, TableText, bare_cells, places, some_lines, spliced, words};
+use super::table_text::{ANGLES, Changes, TableText, words};
 use crate::cells::Separator;
 use pilotage_base::angle_text::hemisphere;
 use pilotage_base::text::by_count;
@@ -126,12 +125,9 @@ fn found(names: &[Vec<String>], rows: &[Vec<&str>]) -> Vec<Letters> {
     found.into_iter().map(|(letters, ..)| letters).collect()
 }
 
-/// The text of a table with the signs that its letters of hemispheres tell, where these change, and sentences that tell it.
-/// A row whose letter or angle fits none has no place.
-pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
-    let Some(table) = std::str::from_utf8(&text).ok().and_then(TableText::of) else {
-        return (text, Vec::new());
-    };
+/// Cells to change for the signs that the letters of hemispheres of a table tell, where these change, and sentences that
+/// tell it. A row whose letter or angle fits none has no place.
+pub(super) fn as_signs(table: &TableText) -> (Changes, Vec<String>) {
     let TableText {
         separator,
         titles,
@@ -140,19 +136,14 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
         ..
     } = table;
     let names: Vec<Vec<String>> = titles.iter().map(|name| words(name)).collect();
-    let is_place = |words: &Vec<String>| {
-        let mut words = words.iter();
-        words.any(|word| ANGLES.concat().contains(&word.as_str()))
-    };
-    if !names.iter().any(is_place) {
-        return (text, Vec::new());
+    let is_angle = |word: &String| ANGLES.iter().any(|list| list.contains(&word.as_str()));
+    if !names.iter().any(|words| words.iter().any(is_angle)) {
+        return (Vec::new(), Vec::new());
     }
-    let cells = |line| bare_cells(line, separator);
-    let some: Vec<Vec<&str>> = some_lines(rows).into_iter().map(cells).collect();
-    let mut changes: Vec<(Range<usize>, Vec<u8>)> = Vec::new();
+    let mut changes = Changes::new();
     let mut notes = Vec::new();
-    for letters in found(&names, &some) {
-        let Some((own, lost)) = changes_by(&letters, rows, separator) else {
+    for letters in found(&names, table.some_cells()) {
+        let Some((own, lost)) = changes_by(&letters, rows, *separator) else {
             continue;
         };
         let own = own.into_iter();
@@ -170,23 +161,14 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
         }
     }
     if changes.is_empty() {
-        return (text, Vec::new());
+        notes.clear();
     }
-    let signed = spliced(&text, changes);
-    (Cow::Owned(signed), notes)
+    (changes, notes)
 }
 
 /// The cells to change by a column of letters, and the number of rows that have no place then; `None` where letters neither
 /// change nor are odd, or where too many rows fit none.
-#[expect(
-    clippy::type_complexity,
-    reason = "places in the text and what comes there"
-)]
-fn changes_by(
-    letters: &Letters,
-    rows: &str,
-    separator: Separator,
-) -> Option<(Vec<(Range<usize>, Vec<u8>)>, usize)> {
+fn changes_by(letters: &Letters, rows: &str, separator: Separator) -> Option<(Changes, usize)> {
     let mut changes = Vec::new();
     let mut counts = [0_usize; 2];
     let (mut lost, mut odd, mut negative) = (0_usize, 0_usize, [0_usize; 2]);
@@ -202,7 +184,7 @@ fn changes_by(
         if line.trim().is_empty() || line.starts_with('#') {
             continue;
         }
-        let places = places(line, separator);
+        let places = separator.places(line);
         let Some((angle, word)) = places.get(letters.angle).zip(places.get(letters.at)) else {
             continue;
         };
@@ -248,10 +230,15 @@ fn changes_by(
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
+    use super::super::table_text::with_changes;
     use super::*;
 
     fn signed(text: &str) -> String {
-        let text = with_signs(Cow::Borrowed(text.as_bytes())).0.into_owned();
+        let text = with_changes(Cow::Borrowed(text.as_bytes()), &[as_signs])
+            .0
+            .into_owned();
         String::from_utf8(text).unwrap()
     }
 
@@ -371,7 +358,7 @@ mod tests {
             ("E/W", &ew),
         ]);
         let row = "\n47,51.5,N,-0.0003,E\n";
-        let told = |text: &str| with_signs(Cow::Borrowed(text.as_bytes())).1;
+        let told = |text: &str| with_changes(Cow::Borrowed(text.as_bytes()), &[as_signs]).1;
         assert!(signed(&whole).contains(row));
         assert_eq!(told(&whole).len(), 1);
         let odd = whole.replace("0.0020,E", "0.0020,X");

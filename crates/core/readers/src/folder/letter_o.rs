@@ -1,30 +1,12 @@
 //! Longitudes whose hemisphere is an O: the east in German, the west in French, Spanish and Italian.
 
-use std::borrow::Cow;
-use std::ops::Range;
-
 use super::hemispheres::{letter, tells_of_letters};
-use super::table_text::{ANGLES, TableText, bare_cells, places, some_lines, spliced, words};
+use super::table_text::{ANGLES, Changes, TableText, words};
 use pilotage_base::angle_text::{meaning_of_o, with_letter_for_o};
 
-/// The text of a table with E or W in place of an O that stands alone in its longitudes or in the letters beside them, and
-/// a sentence where nothing tells which it is.
-pub(super) fn with_east_or_west(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
-    let table = std::str::from_utf8(&text).ok().and_then(TableText::of);
-    let Some(table) = table else {
-        return (text, Vec::new());
-    };
-    let (changes, told) = changes(&table);
-    if changes.is_empty() {
-        return (text, told);
-    }
-    (Cow::Owned(spliced(&text, changes)), told)
-}
-
-/// Cells to change, and what comes there.
-type Changes = Vec<(Range<usize>, Vec<u8>)>;
-
-fn changes(table: &TableText) -> (Changes, Vec<String>) {
+/// Cells to change where an O stands alone in the longitudes of a table or in the letters beside them, with E or W in its
+/// place, and a sentence where nothing tells which it is.
+pub(super) fn as_east_or_west(table: &TableText) -> (Changes, Vec<String>) {
     let separator = table.separator;
     let is_longitude = |at: &usize| {
         let mut words = words(&table.titles[*at]).into_iter();
@@ -34,10 +16,7 @@ fn changes(table: &TableText) -> (Changes, Vec<String>) {
     if longitudes.is_empty() {
         return (Vec::new(), Vec::new());
     }
-    let some: Vec<Vec<&str>> = some_lines(table.rows)
-        .into_iter()
-        .map(|line| bare_cells(line, separator))
-        .collect();
+    let some = table.some_cells();
     let cells = |at: usize| some.iter().filter_map(move |row| row.get(at).copied());
     let has_o = |at: &usize| cells(*at).any(|cell| with_letter_for_o(cell, 'E').is_some());
     let is_letter = |cell: &str| {
@@ -66,7 +45,7 @@ fn changes(table: &TableText) -> (Changes, Vec<String>) {
     let mut changes = Vec::new();
     let mut begin = table.start;
     for line in table.rows.split_inclusive('\n') {
-        let places = places(line, separator);
+        let places = separator.places(line);
         for place in with_o.iter().filter_map(|at| places.get(*at)) {
             if let Some(cell) = with_letter_for_o(&line[place.clone()], meant) {
                 changes.push((begin + place.start..begin + place.end, cell.into_bytes()));
@@ -79,10 +58,13 @@ fn changes(table: &TableText) -> (Changes, Vec<String>) {
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
+    use super::super::table_text::with_changes;
     use super::*;
 
     fn read(text: &str) -> (String, Vec<String>) {
-        let (read, told) = with_east_or_west(Cow::Borrowed(text.as_bytes()));
+        let (read, told) = with_changes(Cow::Borrowed(text.as_bytes()), &[as_east_or_west]);
         (String::from_utf8(read.into_owned()).unwrap(), told)
     }
 

@@ -10,7 +10,7 @@ use super::fit_rows::of_fit_rows;
 use super::receiver_dates::with_receiver_dates;
 use super::solutions::{missing_names, of_baselines};
 use super::table_text::{
-    bare_cells, joined, name_separator, places, solution_cells, solution_separator, with_cell,
+    bare_cells, joined, name_separator, solution_cells, solution_separator, with_cell,
 };
 use super::told_clocks::with_told_clocks;
 use super::utm_places::with_places_of_utm;
@@ -104,7 +104,7 @@ fn with_both_names(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     }
     let seam = char::from(separator.byte());
     let both = format!("GPS latitude{seam}GPS longitude");
-    let named = with_cell(names, &places(names, separator)[at], &both);
+    let named = with_cell(names, &separator.places(names)[at], &both);
     let rest = &text[names.len()..];
     Cow::Owned([named.as_bytes(), rest].concat())
 }

@@ -2,15 +2,16 @@
 
 use std::borrow::Cow;
 
-use super::bare_angles::with_degrees;
+use super::bare_angles::as_degrees;
 use super::clock::{count_midnights, count_on};
 use super::error::FolderError;
-use super::hemispheres::with_signs;
+use super::hemispheres::as_signs;
 use super::layout::{TimeColumn, ValueColumn};
-use super::letter_o::with_east_or_west;
+use super::letter_o::as_east_or_west;
 use super::row_lines::{rows_of_one_line, without_mark};
 use super::standing::{SpreadRows, are_mostly, are_of_several, is_coarse, spread};
-use super::thousands::without_thousands;
+use super::table_text::{Changes, TableText, with_changes};
+use super::thousands::as_whole;
 use crate::cells::Moment;
 use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
@@ -92,11 +93,7 @@ impl CsvTable {
         is_read: &[bool],
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
-        let (bytes, mut told) = without_thousands(rows_of_one_line(bytes));
-        let (bytes, of_letters) = with_east_or_west(with_degrees(bytes));
-        told.extend(of_letters);
-        let (bytes, of_signs) = with_signs(bytes);
-        told.extend(of_signs);
+        let (bytes, told) = with_changes(rows_of_one_line(bytes), &DECODING);
         let skipped = shape.skipped_lines + shape.head_lines();
         let mut rest = bytes.as_ref();
         for _ in 0..skipped {
@@ -494,10 +491,13 @@ fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
     }
 }
 
+/// Finders of cells that are told otherwise than by numbers, in their order.
+const DECODING: [fn(&TableText) -> (Changes, Vec<String>); 4] =
+    [as_whole, as_degrees, as_east_or_west, as_signs];
+
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let plain = without_thousands(rows_of_one_line(bytes)).0;
-    with_signs(with_east_or_west(with_degrees(plain)).0).0
+    with_changes(rows_of_one_line(bytes), &DECODING).0
 }
 
 /// The same lines with a comma for every run of blanks between two cells.

@@ -1,6 +1,7 @@
 //! The text of a table by its cells: where they stand, and others in their place.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::ops::Range;
 
 use crate::cells::{Separator, TableShape};
@@ -31,6 +32,9 @@ pub(super) const ANGLES: [&[&str]; 2] = [
     ],
 ];
 
+/// Cells to change, and what comes there.
+pub(super) type Changes = Vec<(Range<usize>, Vec<u8>)>;
+
 /// The text of a table with a header.
 pub(super) struct TableText<'a> {
     pub separator: Separator,
@@ -40,11 +44,12 @@ pub(super) struct TableText<'a> {
     /// Bytes before the rows.
     pub start: usize,
     pub rows: &'a str,
+    some: OnceCell<Vec<Vec<&'a str>>>,
 }
 
 impl<'a> TableText<'a> {
     /// The table of a whole text; `None` without a header.
-    pub(super) fn of(whole: &'a str) -> Option<Self> {
+    fn of(whole: &'a str) -> Option<Self> {
         let head = String::from_utf8_lossy(&whole.as_bytes()[..whole.len().min(HEAD)]);
         let shape = TableShape::of(&head).filter(|shape| shape.has_header)?;
         let header = whole.lines().nth(shape.skipped_lines)?;
@@ -58,35 +63,49 @@ impl<'a> TableText<'a> {
             titles: shape.separator.cells(header),
             start,
             rows: &whole[start..],
+            some: OnceCell::new(),
+        })
+    }
+
+    /// Cells of lines of the beginning, the middle and the end of its rows.
+    pub(super) fn some_cells(&self) -> &[Vec<&'a str>] {
+        self.some.get_or_init(|| {
+            let lines = some_lines(self.rows).into_iter();
+            lines.map(|line| bare_cells(line, self.separator)).collect()
         })
     }
 }
 
-/// Places of the cells of a line, without blanks and quotation marks around them.
-pub(super) fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
-    let begin = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
-    let place = |cell: &str| {
-        let cell = cell.trim();
-        let bare = cell.strip_prefix('"').and_then(|c| c.strip_suffix('"'));
-        let cell = bare.unwrap_or(cell).trim();
-        begin(cell)..begin(cell) + cell.len()
-    };
-    if separator == Separator::Blanks {
-        return line.split_whitespace().map(place).collect();
+/// The text of a table with what each of these says in the place of its cells, one after the other, and their sentences.
+/// What is no table with a header stays as it is.
+pub(super) fn with_changes<'a>(
+    text: Cow<'a, [u8]>,
+    finders: &[fn(&TableText) -> (Changes, Vec<String>)],
+) -> (Cow<'a, [u8]>, Vec<String>) {
+    if finders.is_empty() {
+        return (text, Vec::new());
     }
-    let mut places = Vec::new();
-    let mut start = 0;
-    let mut is_quoted = false;
-    for (at, byte) in line.bytes().enumerate() {
-        if byte == b'"' && (is_quoted || line[start..at].trim().is_empty()) {
-            is_quoted = !is_quoted;
-        } else if byte == separator.byte() && !is_quoted {
-            places.push(place(&line[start..at]));
-            start = at + 1;
+    let mut told = Vec::new();
+    let mut found = None;
+    let mut left = finders;
+    if let Some(table) = std::str::from_utf8(&text).ok().and_then(TableText::of) {
+        while found.is_none()
+            && let Some((finder, rest)) = left.split_first()
+        {
+            let (changes, sentences) = finder(&table);
+            told.extend(sentences);
+            found = (!changes.is_empty()).then_some(changes);
+            left = rest;
         }
     }
-    places.push(place(&line[start..]));
-    places
+    let Some(changes) = found else {
+        return (text, told);
+    };
+    // What comes behind looks at the changed text.
+    let changed = Cow::Owned(spliced(&text, changes));
+    let (changed, behind) = with_changes(changed, left);
+    told.extend(behind);
+    (changed, told)
 }
 
 /// A text with columns added behind those of the table whose names stand in line `number`: `added` has their names, and
@@ -153,7 +172,7 @@ pub(super) fn name_separator(line: &str) -> Separator {
 
 /// The cells of a line, without blanks and quotation marks around them.
 pub(super) fn bare_cells(line: &str, separator: Separator) -> Vec<&str> {
-    let places = places(line, separator).into_iter();
+    let places = separator.places(line).into_iter();
     places.map(|place| &line[place]).collect()
 }
 
@@ -187,7 +206,7 @@ pub(super) fn words(name: &str) -> Vec<String> {
 }
 
 /// Lines of the beginning, the middle and the end of the rows of a table.
-pub(super) fn some_lines(rows: &str) -> Vec<&str> {
+fn some_lines(rows: &str) -> Vec<&str> {
     let piece = |from: usize| {
         let mut from = from.min(rows.len());
         let mut to = (from + HEAD).min(rows.len());
@@ -210,7 +229,7 @@ pub(super) fn some_lines(rows: &str) -> Vec<&str> {
 }
 
 /// A text with others in the place of some of its ranges, none of which share a byte.
-pub(super) fn spliced(text: &[u8], mut changes: Vec<(Range<usize>, Vec<u8>)>) -> Vec<u8> {
+fn spliced(text: &[u8], mut changes: Vec<(Range<usize>, Vec<u8>)>) -> Vec<u8> {
     changes.sort_by_key(|(range, _)| range.start);
     let mut changed = Vec::with_capacity(text.len() + changes.len());
     let mut done = 0;

@@ -1,23 +1,16 @@
 //! Numbers with dots, blanks or apostrophes before every three digits, in tables with a comma before decimals.
 
-use std::borrow::Cow;
-
-use super::table_text::{TableText, bare_cells, places, some_lines, spliced};
+use super::table_text::{Changes, TableText};
 use crate::cells::Separator;
 use pilotage_base::text::without_decimal_comma;
 
-/// The text of a table without what parts thousands in the columns where something tells that it does, and a sentence on those
-/// where it may as well be the point of decimals.
-pub(super) fn without_thousands(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
-    let table = std::str::from_utf8(&text).ok().and_then(TableText::of);
-    let Some(table) = table.filter(|it| it.has_decimal_comma && it.separator != Separator::Comma)
-    else {
-        return (text, Vec::new());
-    };
-    let some: Vec<Vec<&str>> = some_lines(table.rows)
-        .into_iter()
-        .map(|line| bare_cells(line, table.separator))
-        .collect();
+/// Cells to change in the columns where something tells that thousands are parted, without what parts them, and a sentence on
+/// those where it may as well be the point of decimals.
+pub(super) fn as_whole(table: &TableText) -> (Changes, Vec<String>) {
+    if !table.has_decimal_comma || table.separator == Separator::Comma {
+        return (Changes::new(), Vec::new());
+    }
+    let some = table.some_cells();
     let kind = |column: usize| Parted::of(some.iter().filter_map(|row| row.get(column).copied()));
     let kinds: Vec<Parted> = (0..table.titles.len()).map(kind).collect();
     let of = |wanted: Parted| {
@@ -32,13 +25,13 @@ pub(super) fn without_thousands(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<Stri
     });
     let told = told.collect();
     let parted: Vec<usize> = of(Parted::Thousands).collect();
+    let mut changes = Changes::new();
     if parted.is_empty() {
-        return (text, told);
+        return (changes, told);
     }
-    let mut changes = Vec::new();
     let mut begin = table.start;
     for line in table.rows.split_inclusive('\n') {
-        let places = places(line, table.separator);
+        let places = table.separator.places(line);
         for place in parted.iter().filter_map(|column| places.get(*column)) {
             if let Some(cell) = joined(&line[place.clone()]) {
                 changes.push((begin + place.start..begin + place.end, cell.into_bytes()));
@@ -46,7 +39,7 @@ pub(super) fn without_thousands(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<Stri
         }
         begin += line.len();
     }
-    (Cow::Owned(spliced(&text, changes)), told)
+    (changes, told)
 }
 
 /// Meaning of the dots of a column.
@@ -99,8 +92,10 @@ fn joined(cell: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
     use std::sync::Arc;
 
+    use super::super::table_text::with_changes;
     use super::*;
     use crate::columns::guess_table;
     use pilotage_base::files::{FileSet, MemoryFiles};
@@ -109,7 +104,7 @@ mod tests {
         let row = |(i, height): (usize, &&str)| format!("{i},5;47,{i:04}1;8,5{i:03};{height}\n");
         let rows: String = cells.iter().enumerate().map(row).collect();
         let text = format!("Zeit (s);Breitengrad;Längengrad;Höhe (m)\n{rows}");
-        let (read, told) = without_thousands(Cow::Borrowed(text.as_bytes()));
+        let (read, told) = with_changes(Cow::Borrowed(text.as_bytes()), &[as_whole]);
         let read = String::from_utf8(read.into_owned()).unwrap();
         let last = |line: &str| line.rsplit(';').next().unwrap().to_owned();
         (read.lines().skip(1).map(last).collect(), told)
@@ -153,7 +148,7 @@ mod tests {
             "t,v\n1,\"1.000,5\"\n2,\"1.001,5\"\n",
             "",
         ] {
-            let (read, told) = without_thousands(Cow::Borrowed(text.as_bytes()));
+            let (read, told) = with_changes(Cow::Borrowed(text.as_bytes()), &[as_whole]);
             assert_eq!((&*read, told), (text.as_bytes(), Vec::new()));
         }
     }

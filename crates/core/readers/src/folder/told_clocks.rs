@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::table_text::{bare_cells, joined, name_separator, places, with_cell};
+use super::table_text::{bare_cells, joined, name_separator, with_cell};
 use crate::cells::{Separator, has_zone};
 
 /// Columns of Garmin: day and time where the aircraft is, and hours from Greenwich.
@@ -114,7 +114,7 @@ fn with_zones(text: &str, number: usize) -> Option<String> {
         return None;
     }
     let line = |(index, line): (usize, &str)| {
-        let places = places(line, separator);
+        let places = separator.places(line);
         let cell = |at: usize| places.get(at).map_or("", |place| &line[place.clone()]);
         let zone = offset.map_or("Z", cell);
         let told = format!("{} {}{zone}", cell(date), cell(time));
@@ -161,7 +161,7 @@ fn of_hundredths(text: &str, number: usize) -> Option<String> {
         beside.iter().all(has).then_some(at)
     })?;
     let line = |(index, line): (usize, &str)| {
-        let places = places(line, separator);
+        let places = separator.places(line);
         let Some(place) = places.get(clock).filter(|_| index >= number) else {
             return line.to_owned();
         };
@@ -193,7 +193,7 @@ fn in_seconds(text: &str, number: usize) -> Option<String> {
         if index == number {
             return line.replacen(FINE.0, FINE.1, 1);
         }
-        let places = places(line, separator);
+        let places = separator.places(line);
         let place = places.get(clock).filter(|_| index > number);
         let ticks = place.and_then(|place| Some((place, line[place.clone()].parse::<f64>().ok()?)));
         let Some((place, ticks)) = ticks else {
