@@ -1,5 +1,7 @@
 //! The app in a window, driven by role and label.
 
+use std::time::Duration;
+
 use egui::{Key, Modifiers, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -58,12 +60,28 @@ impl Rig {
         }
     }
 
-    /// Lets time pass so that everything that waits is due.
+    /// Lets time pass so that everything that waits is due. As in a browser, a frame that nothing asks for is not drawn.
     pub fn settle(&mut self) {
         for _ in 0..4 {
             self.harness.state_mut().host.now += 1000.0;
-            self.frames(3);
+            for _ in 0..3 {
+                self.frames(1);
+                if self.is_still() {
+                    break;
+                }
+            }
         }
+    }
+
+    /// Whether the host has nothing to hand over, and the app asks for no frame within a second.
+    fn is_still(&mut self) -> bool {
+        let host = self.host();
+        let hands_over = !host.events.is_empty() || !host.opened.is_empty();
+        let output = self.harness.output().viewport_output.values();
+        let asks = output
+            .map(|view| view.repaint_delay)
+            .any(|delay| delay < Duration::from_secs(1));
+        !hands_over && !asks
     }
 
     /// Opens a tab.
