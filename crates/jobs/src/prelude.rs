@@ -95,6 +95,8 @@ pub struct Prelude {
     flying: Option<JobId>,
     /// Steps of the flight that the worker has said.
     steps: usize,
+    /// Whether it has said steps that are not stored.
+    is_beyond: bool,
     /// Stored pictures that the worker took otherwise, by their index.
     outdated: Vec<usize>,
     compared: usize,
@@ -127,6 +129,7 @@ impl Prelude {
             }) if *flight == stored.source && *map == stored.map.source => {
                 self.flying = Some(id);
                 self.steps = 0;
+                self.is_beyond = false;
                 let pictures = stored.pictures.iter();
                 let pictures = pictures.map(|(index, picture)| JobEvent::FrameTaken {
                     index: *index,
@@ -188,8 +191,14 @@ impl Prelude {
         let (rank, is_same) = match &event {
             JobEvent::Flight(flight) => (0, *flight == stored.flight),
             JobEvent::Mission(mission) => (1, *mission == stored.mission),
+            // Once more, after a worker died: what it said beyond what is stored would be told twice.
+            JobEvent::RunStarted(_) if self.is_beyond => {
+                self.flying = None;
+                let heads = stored.heads().into_iter().take(2);
+                return heads.chain([event]).collect();
+            }
             JobEvent::RunStarted(run) => {
-                self.steps = 0; // or once more, after a worker died
+                self.steps = 0;
                 (2, *run == stored.run)
             }
             JobEvent::Steps(_) => return self.hear_steps(event),
@@ -231,6 +240,7 @@ impl Prelude {
         for step in steps {
             let twin = stored.steps.get(self.steps);
             let Some(twin) = twin.filter(|_| self.flying.is_some()) else {
+                self.is_beyond = true;
                 new.push(step);
                 continue;
             };

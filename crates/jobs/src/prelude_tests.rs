@@ -390,6 +390,25 @@ fn a_worker_that_begins_anew_tells_nothing_twice() {
 }
 
 #[test]
+fn a_flight_that_begins_anew_beyond_what_is_stored_is_a_new_run() {
+    let (mut prelude, told) = begun();
+    for event in &told {
+        assert_eq!(prelude.hear(7, event.clone()), []);
+    }
+    let beyond = JobEvent::Steps(vec![later(&told)]);
+    assert_eq!(prelude.hear(7, beyond.clone()), [beyond.clone()]);
+    for event in &told[..2] {
+        assert_eq!(prelude.hear(7, event.clone()), []);
+    }
+    assert!(matches!(told[2], JobEvent::RunStarted(_)));
+    assert_eq!(prelude.hear(7, told[2].clone()), told[..3]);
+    for event in told[3..].iter().chain([&beyond]) {
+        assert_eq!(prelude.hear(7, event.clone()), [event.clone()]);
+    }
+    assert_eq!(prelude.checked().1, 0);
+}
+
+#[test]
 fn a_run_that_comes_out_otherwise_replaces_the_stored_one_from_there_on() {
     let (mut prelude, told) = begun();
     for event in &told[..3] {
