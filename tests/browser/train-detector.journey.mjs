@@ -68,6 +68,7 @@ export async function run(page, tools) {
   await page.keyboard.press("Shift+R");
   const again = await tools.waitFor((s) => s.run_generation > chosen.run_generation && s.run_steps > 60 && s.accepted > 0, "the flight with it", 150_000);
   tools.check(!again.toasts.some((t) => t.trouble), `trouble: ${JSON.stringify(again.toasts)}`);
+  await page.evaluate(() => window.app.rest_flight()); // nothing is judged of the rest of it
   await page.keyboard.press("Shift+P");
 
   // All of them, two at a time; paused they rest, cancelled they are gone.
