@@ -46,7 +46,10 @@ async function settled(page) {
 
 async function look(page, tools, file) {
   await tools.waitReady();
-  await tools.waitFor((s) => s.run_complete || s.run_steps > 300, "the demo", 200_000);
+  await page.keyboard.press("Space"); // nothing is judged of what moves meanwhile
+  await tools.waitFor((s) => !s.playing && (s.run_complete || s.run_steps > 300), "the demo", 200_000);
+  await page.keyboard.press("Space");
+  await tools.waitFor((s) => s.playing, "the flight to play");
   const idle = rendererMemory();
   const begun = Date.now();
   await page.setInputFiles("#files", file);
