@@ -14,6 +14,9 @@ const switches = [
   "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
   "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
 ];
+/** Where nobody judges how smoothly the page moves, a graphics card in software draws the canvas alone: it takes a
+ * second to get ready for the window around it. */
+const calmSwitches = ["--disable-gpu-compositing"];
 
 function program() {
   const folders = (process.env.PATH ?? "").split(delimiter);
@@ -50,7 +53,7 @@ export async function launch({ smooth = false, flies = enough, ahead = false, pa
     const { width, height, touch = false, sharpness } = { ...viewport, ...screen };
     const deviceScaleFactor = sharpness ?? (smooth || process.env.PILOTAGE_SHARP ? 1 : coarse);
     const context = await chromium.launchPersistentContext(profile, {
-      executablePath: program(), headless: true, viewport: { width, height }, deviceScaleFactor, args: switches, colorScheme: "dark",
+      executablePath: program(), headless: true, viewport: { width, height }, deviceScaleFactor, args: smooth ? switches : [...switches, ...calmSwitches], colorScheme: "dark",
       hasTouch: touch, isMobile: touch,
     });
     if (!smooth) await context.addInitScript(paintSeldom, { rate: calm, unseen: painted ? 0 : unseen });
@@ -59,7 +62,7 @@ export async function launch({ smooth = false, flies = enough, ahead = false, pa
     if (flies !== true) await context.addInitScript(restFlight, flies);
     if (!ahead) await context.addInitScript(leaveAhead);
     const close = async () => { await context.close(); remove(); };
-    return { context, page: context.pages()[0] ?? await context.newPage(), close };
+    return { context, page: context.pages()[0] ?? await context.newPage(), profile, close };
   } catch (error) {
     remove();
     throw error;
@@ -82,18 +85,24 @@ function paintForPictures(page) {
 }
 
 /** Runs in the page before anything else of it: lets it make no more than `rate` frames a second, and paint one only
- * if the last is on the screen for `unseen` milliseconds or `window.paintNow` is asked for it. */
+ * if the last is on the screen for `unseen` milliseconds or `window.paintNow` is asked for it, which has somebody `look`
+ * at the canvas while it holds what was painted. */
 function paintSeldom({ rate, unseen }) {
   let painted = -Infinity; // when
   let paints = true; // in the frame that is made
-  let looking = 0; // frames that somebody waits to see painted
+  let canvas = null; // on which this frame was painted
+  const lookers = []; // who wait to see a frame painted
   const { prototype } = window.WebGL2RenderingContext;
   for (const name of ["clear", "drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced"]) {
     const draw = prototype[name];
-    prototype[name] = function drawSeldom(...what) { if (paints) draw.apply(this, what); };
+    prototype[name] = function drawSeldom(...what) {
+      if (!paints) return;
+      draw.apply(this, what);
+      canvas = this.canvas;
+    };
   }
   const begin = (now) => {
-    paints = looking > 0 || now - painted >= unseen;
+    paints = lookers.length > 0 || now - painted >= unseen;
     if (paints) painted = now;
   };
   const own = { request: window.requestAnimationFrame.bind(window), cancel: window.cancelAnimationFrame.bind(window) };
@@ -107,7 +116,9 @@ function paintSeldom({ rate, unseen }) {
         pending.delete(number);
         last = performance.now();
         begin(last);
+        canvas = null;
         callback(now);
+        if (canvas) lookers.splice(0).forEach((look) => look(canvas));
       });
       pending.set(number, () => own.cancel(frame));
     };
@@ -124,11 +135,18 @@ function paintSeldom({ rate, unseen }) {
     pending.get(number)?.();
     pending.delete(number);
   };
-  window.paintNow = async () => {
-    looking += 1;
-    window.dispatchEvent(new Event("pageshow")); // what the program takes for a reason to show itself anew
-    for (let frames = 0; frames < 3; frames += 1) await new Promise((done) => { window.requestAnimationFrame(done); });
-    looking -= 1;
+  window.paintNow = async (whoLooks) => {
+    const frame = () => new Promise((done) => { window.requestAnimationFrame(done); });
+    const showAnew = () => window.dispatchEvent(new Event("pageshow")); // what the program takes for a reason to do so
+    showAnew();
+    for (let frames = 0; frames < 2; frames += 1) await frame(); // in which everything finds its place
+    let isPainted = false;
+    lookers.push((painted) => { isPainted = true; whoLooks?.(painted); });
+    showAnew();
+    for (let frames = 0; frames < 8 && !isPainted; frames += 1) await frame();
+    lookers.length = 0; // a page without a canvas, or whose graphics card is gone, paints nothing
+    await frame();
+    return isPainted;
   };
 }
 
