@@ -12,6 +12,7 @@ import { availableParallelism, cpus } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch } from "./browser.mjs";
+import { meter } from "./cost.mjs";
 import { startServer } from "./server.mjs";
 import { makeTools } from "./tools.mjs";
 import { watch } from "./watch.mjs";
@@ -35,7 +36,7 @@ if (files.length === 0) {
 mkdirSync(pictures, { recursive: true });
 
 const server = await startServer();
-const results = []; // { file, journey, name, seconds, error }
+const results = []; // { file, journey, name, seconds, costs, error }
 let leftOut = 0;
 const together = []; // journeys that bear company; those that judge time or memory walk by themselves afterwards
 const alone = [];
@@ -57,10 +58,16 @@ if (failure && others.length === 0 && results.length > 1) {
 }
 server.stop();
 
+const sum = (numbers) => numbers.reduce((total, number) => total + number, 0);
+const costliestFirst = results.map(({ file, costs }) => ({ file, cost: sum(Object.values(costs)) })).sort((a, b) => b.cost - a.cost);
 const longestFirst = results.toSorted((a, b) => b.seconds - a.seconds).slice(0, 10);
 if (results.length > 1) {
   const { busy, all } = spent(atBegin, coreTimes());
   console.log(`the longest: ${longestFirst.map(({ file, seconds }) => `${short(file)} ${seconds.toFixed(0)} s`).join(", ")}`);
+  const kinds = [...new Set(results.flatMap(({ costs }) => Object.keys(costs)))];
+  const byKind = kinds.map((kind) => [kind, sum(results.map(({ costs }) => costs[kind] ?? 0))]).sort((a, b) => b[1] - a[1]);
+  if (kinds.length > 0) console.log(`the costliest, in seconds of a core: ${costliestFirst.slice(0, 10).map(({ file, cost }) => `${short(file)} ${cost.toFixed(0)}`).join(", ")}`);
+  if (kinds.length > 0) console.log(`by what spent them: ${byKind.map(([kind, cost]) => `${kind} ${cost.toFixed(0)}`).join(", ")}; ${sum(byKind.map(([, cost]) => cost)).toFixed(0)} in all`);
   console.log(`${((Date.now() - begun) / 1000).toFixed(0)} s, ${abreast} at a time, the cores ${(100 * busy / all).toFixed(0)} % busy`);
 }
 if (leftOut > 0) console.log(`${leftOut} left out: they walk through nothing of what changed (${tags.join(", ")})`);
@@ -81,9 +88,10 @@ async function walkAll(queue) {
     const name = journey.name ?? file;
     const start = Date.now();
     const said = [];
-    const error = await walk(journey, short(file), said).then(() => null, (complaint) => complaint);
+    const costs = {}; // seconds of cores, by kind
+    const error = await walk(journey, short(file), said, costs).then(() => null, (complaint) => complaint);
     const seconds = (Date.now() - start) / 1000;
-    results.push({ file, journey, name, seconds, error });
+    results.push({ file, journey, name, seconds, costs, error });
     const told = `${error ? "FAILED" : "passed"}  ${name} (${seconds.toFixed(1)} s)`;
     const lines = error ? String(error.stack ?? error).split("\n") : [];
     console.log([told, ...[...said, ...lines].map((line) => `        ${line}`)].join("\n"));
@@ -102,11 +110,13 @@ function spent(before, after) {
   return { all, busy: all - (sum(after, "idle") - sum(before, "idle")) };
 }
 
-/** Makes one journey, which may have something `said`; fails with its own complaint or with what the page did wrong. */
-async function walk(journey, shortName, said) {
+/** Makes one journey, which may have something `said` and tells what it `costs`; fails with its own complaint or with what
+ * the page did wrong. */
+async function walk(journey, shortName, said, costs) {
   const atEnd = [];
-  const { page, close } = await launch({ smooth: journey.alone, flies: journey.flies, ahead: journey.ahead, forgetful: journey.forgetful, painted: journey.painted, screen: journey.screen });
+  const { page, profile, close } = await launch({ smooth: journey.alone, flies: journey.flies, ahead: journey.ahead, forgetful: journey.forgetful, painted: journey.painted, screen: journey.screen });
   atEnd.push(close);
+  const costOf = meter(profile);
   try {
     const watched = watch(page, server.url);
     const tools = makeTools({ page, address: server.url, pictures, watched, atEnd, said, often: journey.alone });
@@ -122,6 +132,7 @@ async function walk(journey, shortName, said) {
     if (failure) throw failure;
     if (complaints.length > 0) throw new Error(complaints.join("\n"));
   } finally {
+    Object.assign(costs, costOf());
     for (const end of atEnd.reverse()) await end();
   }
 }
