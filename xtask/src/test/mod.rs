@@ -66,9 +66,9 @@ fn fetch(oracles: bool, browser: bool) -> JoinHandle<()> {
 /// Checks of lines of their own that ran among the native tests.
 #[derive(Default)]
 struct Ran {
-    /// How those that ask other people's programs went, if they did.
+    /// Outcome of those that ask other people's programs, if they did.
     oracles: Option<Result<(), Failure>>,
-    /// How the tests of the package for Python went.
+    /// Outcome of the tests of the package for Python, if they were run.
     package: Option<Result<(), Failure>>,
     /// Whether the demo was flown.
     demo: bool,

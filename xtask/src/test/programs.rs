@@ -39,7 +39,7 @@ impl Outcomes {
         outcomes.any(|(one, has_passed)| *has_passed && these(one))
     }
 
-    /// How `these` went, or `None` where none of them was run.
+    /// Judges `these`, or `None` where none of them was run.
     pub fn judged(&self, these: impl Fn(&CheckProgram) -> bool) -> Option<Result<(), Failure>> {
         let were_run = self.0.iter().any(|(one, _)| these(one));
         were_run.then(|| self.judge(these))

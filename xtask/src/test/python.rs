@@ -48,7 +48,7 @@ pub fn tests(terminal: &Path, python: &Path) -> Result<CheckProgram, Failure> {
     Ok(tests_over(&package, terminal, python))
 }
 
-/// How the tests over the package that is put together in `package` are run.
+/// The tests over the package that is put together in `package`.
 fn tests_over(package: &Path, terminal: &Path, python: &Path) -> CheckProgram {
     let words = ["-m", "pytest", "-q", "-p", "no:cacheprovider"];
     CheckProgram {
