@@ -130,9 +130,8 @@ fn right_of(v: Vector2<f64>) -> Vector2<f64> {
 }
 
 /// Vectors by which the unknowns act with an air velocity of `air`, `since` seconds after the reference, where the heading
-/// is turned by `angle` already.
-fn acting(row: &AirDataRow, air: Vector2<f64>, angle: f64, since: f64) -> Design {
-    let turned = Rotation2::new(angle);
+/// is `turned` already.
+fn acting(row: &AirDataRow, air: Vector2<f64>, turned: &Rotation2<f64>, since: f64) -> Design {
     let air = turned * air;
     [
         air,
@@ -149,7 +148,7 @@ impl Solved {
     pub(super) fn left(&self, row: &AirDataRow) -> Left<5> {
         let since = row.time - self.reference;
         let angle = self.offset + self.drift * since;
-        let design = acting(row, row.air, angle, since);
+        let design = acting(row, row.air, &Rotation2::new(angle), since);
         let explained = design.iter().zip(self.unknowns.iter());
         let explained: Vector2<f64> = explained.map(|(vector, factor)| vector * *factor).sum();
         Left {
@@ -237,18 +236,17 @@ impl FitProblem<'_> {
                 return None;
             }
             let solved = self.round(&rows, &guess)?;
-            let squares = |rows: &[AirDataRow]| -> f64 {
-                rows.iter()
-                    .map(|row| solved.left(row).velocity.norm_squared())
-                    .sum()
-            };
-            let residual = (0.5 * squares(&rows) / rows.len() as f64).sqrt();
+            let left: Vec<Left<5>> = rows.iter().map(|row| solved.left(row)).collect();
+            let squares = left.iter().map(|left| left.velocity.norm_squared());
+            let residual = (0.5 * squares.sum::<f64>() / rows.len() as f64).sqrt();
             let limit = (OUTLIER * residual).max(1.0) * std::f64::consts::SQRT_2;
-            rows.retain(|row| solved.left(row).velocity.norm() < limit);
+            let fits = |left: &Left<5>| left.velocity.norm() < limit;
+            let mut fitting = left.iter().map(fits);
+            rows.retain(|_| fitting.next() == Some(true));
             (guess.offset, guess.drift) = (solved.heading_offset(), solved.heading_drift());
             guess.is_open = false;
             if earlier.is_none() {
-                let left = means(rows.iter().map(|row| solved.left(row)));
+                let left = means(left.into_iter().filter(fits));
                 guess.noise = guess
                     .noise
                     .likeliest(&left, &self.spread(), self.prior.wind);
@@ -344,23 +342,27 @@ impl FitProblem<'_> {
         let mut moments = Vec::with_capacity(rows.len());
         let mut slope = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
         let mut value = SVector::<f64, UNKNOWNS>::zeros();
-        for row in rows {
+        // Sine and cosine, which cost more than all else of a row, once for both.
+        let turned = |row: &AirDataRow| {
             let since = row.time - reference;
+            (since, Rotation2::new(guess.offset + guess.drift * since))
+        };
+        let turned: Vec<(f64, Rotation2<f64>)> = rows.iter().map(turned).collect();
+        for (row, (since, turned)) in rows.iter().zip(&turned) {
             let nose = if has_turned {
                 row.nose
             } else {
                 row.nose_beside
             };
-            let instruments = acting(row, nose * mean, guess.offset + guess.drift * since, since);
+            let instruments = acting(row, nose * mean, turned, *since);
             moments.push((row.time, instruments));
         }
         // What the side force says it says quickly.
         for index in [SLIP_LENGTH, SLIP_OFFSET] {
             quicken(&mut moments, index, guess.noise.memory);
         }
-        for (row, (_, instruments)) in rows.iter().zip(&moments) {
-            let since = row.time - reference;
-            let design = acting(row, row.air, guess.offset + guess.drift * since, since);
+        for ((row, (since, turned)), (_, instruments)) in rows.iter().zip(&turned).zip(&moments) {
+            let design = acting(row, row.air, turned, *since);
             for axis in 0..2 {
                 let x = SVector::<f64, UNKNOWNS>::from_fn(|i, _| design[i][axis]);
                 let z = SVector::<f64, UNKNOWNS>::from_fn(|i, _| instruments[i][axis]);

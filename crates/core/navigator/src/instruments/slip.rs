@@ -61,8 +61,10 @@ impl SideForce {
     /// where no force is measured.
     pub(super) fn slip(&self, time: f64, nose: &Vector2<f64>, airspeed: f64) -> Slip {
         let known = self.force.at(time).zip(self.wing.at(time));
-        let (force, wing) = known.filter(|_| airspeed >= SLOWEST).unwrap_or_default();
-        let per_offset = Rotation2::new(nose.y.atan2(nose.x)) * wing / airspeed.max(SLOWEST);
+        let Some((force, wing)) = known.filter(|_| airspeed >= SLOWEST) else {
+            return Slip::default();
+        };
+        let per_offset = Rotation2::new(nose.y.atan2(nose.x)) * wing / airspeed;
         Slip {
             per_length: -per_offset * force,
             per_offset,
