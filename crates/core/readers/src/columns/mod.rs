@@ -41,12 +41,12 @@ mod rows;
 mod sampling;
 mod settle;
 mod several;
+#[cfg(test)]
+mod simulator_tests;
 mod strays;
 #[cfg(test)]
 #[path = "../../../../../tests/src/studies.rs"]
 mod studies;
-#[cfg(test)]
-mod simulator_tests;
 #[cfg(test)]
 mod tests;
 mod together;

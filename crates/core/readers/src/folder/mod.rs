@@ -23,9 +23,9 @@ mod solutions;
 mod standing;
 mod table;
 mod table_text;
-mod thousands;
 #[cfg(test)]
 mod tests;
+mod thousands;
 mod time_unit;
 mod told_clocks;
 mod utc;
