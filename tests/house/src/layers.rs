@@ -37,6 +37,7 @@ pub const ORDERS: [&FolderOrder; 8] = [
             "hemisphere_in_name",
             "loose_json",
             "place_text",
+            "separator",
             "text",
             "tiff_entry",
             "varint",
