@@ -90,7 +90,7 @@ fn proposals_for_one_map_are_gone_when_another_is_open() {
 #[test]
 fn a_route_that_was_found_over_one_map_and_its_rehearsal_are_gone_when_another_is_open() {
     let mut rig = planning();
-    draw(&mut rig, &[(0.0, 0.0), (260.0, 0.0)]);
+    draw(&mut rig, &[(0.0, 0.0), (90.0, 0.0)]);
     rig.harness.get_by_label("Rehearse this route").click();
     rig.settle();
     rig.key_with(Modifiers::SHIFT, egui::Key::F);
