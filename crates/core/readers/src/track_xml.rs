@@ -408,9 +408,9 @@ mod tests {
 
     #[test]
     fn a_track_of_kml_is_a_flight_in_any_zone_and_height() {
-        let whens: String = (0..100)
-            .map(|i| format!("<when>2024-05-01T12:{}+02:00</when>", clock(i)))
-            .collect();
+        let when = |i| format!("<when>2024-05-01T12:{}+02:00</when>", clock(i));
+        let whens: Vec<String> = (0..100).map(when).collect();
+        let whens = whens.concat();
         let coordinate = |i: u32| {
             let (latitude, longitude, height) = place(i);
             format!("<gx:coord>{longitude:.7} {latitude:.7} {height}</gx:coord>")

@@ -485,11 +485,14 @@ fn column(name: &str) -> CsvColumn {
     column_of(name, &parted(name), &known)
 }
 
+/// Role of a column by its name, and what heights count from that are called so.
+type KnownName = (CsvRole, Option<AltitudeFrame>);
+
 /// The column of that name by its words, of which `known` says the role and what heights so called count from.
 pub(super) fn column_of(
     name: &str,
     words: &str,
-    known: &dyn Fn(&str) -> Option<(CsvRole, Option<AltitudeFrame>)>,
+    known: &dyn Fn(&str) -> Option<KnownName>,
 ) -> CsvColumn {
     let plain = words.to_lowercase();
     let is_break = |c: char| c.is_whitespace() || "_-()[]{}:,.".contains(c);

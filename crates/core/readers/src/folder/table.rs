@@ -10,7 +10,7 @@ use super::layout::{TimeColumn, ValueColumn};
 use super::letter_o::as_east_or_west;
 use super::row_lines::{rows_of_one_line, without_mark};
 use super::standing::{SpreadRows, are_mostly, are_of_several, is_coarse, spread};
-use super::table_text::{Changes, TableText, with_changes};
+use super::table_text::{CellFinder, with_changes};
 use super::thousands::as_whole;
 use crate::cells::Moment;
 use crate::cells::shortened;
@@ -492,8 +492,7 @@ fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
 }
 
 /// Finders of cells that are told otherwise than by numbers, in their order.
-const DECODING: [fn(&TableText) -> (Changes, Vec<String>); 4] =
-    [as_whole, as_degrees, as_east_or_west, as_signs];
+const DECODING: [CellFinder; 4] = [as_whole, as_degrees, as_east_or_west, as_signs];
 
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {

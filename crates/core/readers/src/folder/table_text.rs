@@ -35,6 +35,9 @@ pub(super) const ANGLES: [&[&str]; 2] = [
 /// Cells to change, and what comes there.
 pub(super) type Changes = Vec<(Range<usize>, Vec<u8>)>;
 
+/// Finds cells to change in a table, and sentences on them.
+pub(super) type CellFinder = fn(&TableText) -> (Changes, Vec<String>);
+
 /// The text of a table with a header.
 pub(super) struct TableText<'a> {
     pub separator: Separator,
@@ -80,7 +83,7 @@ impl<'a> TableText<'a> {
 /// What is no table with a header stays as it is.
 pub(super) fn with_changes<'a>(
     text: Cow<'a, [u8]>,
-    finders: &[fn(&TableText) -> (Changes, Vec<String>)],
+    finders: &[CellFinder],
 ) -> (Cow<'a, [u8]>, Vec<String>) {
     if finders.is_empty() {
         return (text, Vec::new());

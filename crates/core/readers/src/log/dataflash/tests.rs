@@ -451,7 +451,9 @@ fn without_a_clock_rows_are_spread_between_the_fixes() {
 fn by_fixes(names: &str, milliseconds: impl Fn(u32) -> String) -> Log {
     let mut text = format!("FMT, 1, 50, GPS, {names}\nFMT, 2, 50, ATT, c, Roll\n");
     for i in 0..100 {
-        text.push_str(&format!("ATT, 1\nATT, 2\nGPS, 3, {}\n", milliseconds(i)));
+        text += "ATT, 1\nATT, 2\nGPS, 3, ";
+        text += &milliseconds(i);
+        text += "\n";
     }
     read_text(&text)
 }
