@@ -133,7 +133,7 @@ pub(crate) const SPELLINGS: [(&str, &[&str]); 37] = [
 ];
 
 /// Times are units of nothing that a flight measures.
-pub(crate) const TIMES: [(&str, &[&str]); 4] = [
+pub(crate) const TIMES: [(&str, &[&str]); 6] = [
     ("s", &["sec", "secs", "second", "seconds"]),
     (
         "ms",
@@ -154,6 +154,11 @@ pub(crate) const TIMES: [(&str, &[&str]); 4] = [
     (
         "ns",
         &["nsec", "nanos", "nanosecond", "nanoseconds", "nsecs"],
+    ),
+    ("cs", &["csec", "centisecond", "centiseconds", "hundredths"]),
+    (
+        "100us",
+        &["100µs", "100μs", "100 us", "100 µs", "0.1ms", "0.1 ms"],
     ),
 ];
 

@@ -5,9 +5,11 @@ use super::moment::Moment;
 use super::sample::{ColumnSample, median};
 use super::since_1970::is_since_1970;
 
-/// Units that a time may be in: seconds, parts of them, date and time, hours with minutes and seconds in one number, days,
+/// Units that a time may be in: seconds, parts of them (the last two where a name says so), date and time, hours with minutes and seconds in one number, days,
 /// minutes, hours.
-pub(crate) const UNITS: [&str; 9] = ["s", "ms", "us", "ns", DATE, CLOCK, DAYS, MINUTES, HOURS];
+pub(crate) const UNITS: [&str; 11] = [
+    "s", "ms", "us", "ns", "cs", "100us", DATE, CLOCK, DAYS, MINUTES, HOURS,
+];
 
 /// Date and time as a cell.
 pub(crate) const DATE: &str = "date and time";
@@ -38,19 +40,26 @@ const STEP: (f64, f64) = (2e-4, 30.0);
 /// Time between rows of a usual log, seconds.
 const USUAL_STEP: f64 = 0.05;
 
-/// Seconds in units of numbers.
+/// Seconds in units of numbers that no name has to say.
 const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
+
+/// Those in units that a name may say: hundredths of seconds and hundreds of microseconds.
+const SAID: [(&str, f64); 2] = [("cs", 1e-2), ("100us", 1e-4)];
 
 /// Seconds in a unit of times; 1 for dates.
 pub(crate) fn seconds(unit: &str) -> f64 {
     match unit {
-        DAYS => return DAY,
-        HOURS => return 3600.0,
-        MINUTES => return 60.0,
-        _ => {}
+        DAYS => DAY,
+        HOURS => 3600.0,
+        MINUTES => 60.0,
+        unit => seconds_counted(unit).unwrap_or(1.0),
     }
-    let known = SECONDS.iter().find(|(name, _)| *name == unit);
-    known.map_or(1.0, |(_, seconds)| *seconds)
+}
+
+/// Seconds in a unit in which they or parts of them are counted; `None` of any other.
+pub(crate) fn seconds_counted(unit: &str) -> Option<f64> {
+    let known = SECONDS.iter().chain(&SAID).find(|(name, _)| *name == unit);
+    known.map(|(_, seconds)| *seconds)
 }
 
 /// Seconds of a number that is a time in that unit; NaN where it is none.

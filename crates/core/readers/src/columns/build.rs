@@ -385,6 +385,8 @@ fn time_column(map: &ColumnMap) -> TimeColumn {
         "ms" => TimeFormat::Milliseconds,
         "us" => TimeFormat::Microseconds,
         "ns" => TimeFormat::Nanoseconds,
+        "cs" => TimeFormat::Centiseconds,
+        "100us" => TimeFormat::HundredMicroseconds,
         time::DATE => TimeFormat::Iso,
         time::CLOCK => TimeFormat::Clock,
         time::DAYS => TimeFormat::Days,

@@ -320,6 +320,9 @@ mod tests {
         assert_eq!(parts("t", "ms").time_unit(), Some("ms"));
         assert_eq!(parts("time [min]", "").time_unit(), Some("min"));
         assert_eq!(parts("Time", "hours").time_unit(), Some("h"));
+        assert_eq!(parts("Time_cs", "").time_unit(), Some("cs"));
+        assert_eq!(parts("time_100us", "").time_unit(), Some("100us"));
+        assert_eq!(parts("t [0.1 ms]", "").time_unit(), Some("100us"));
         assert_eq!(parts("lat_min", "").time_unit(), None);
     }
 

@@ -143,6 +143,33 @@ fn ticks_of_windows_are_dates() {
 }
 
 #[test]
+fn clocks_count_in_the_part_of_a_second_that_their_names_say() {
+    for (name, per_second) in [
+        ("Time_cs", 1e2),
+        ("time_100us", 1e4),
+        ("t [0.1 ms]", 1e4),
+        ("Time (centiseconds)", 1e2),
+        ("time_ms", 1e3),
+    ] {
+        let names = format!("{name},latitude,longitude,altitude [m]");
+        let (map, flight) = read(&names, |at| {
+            let count = (at.time * per_second).round();
+            format!(
+                "{count},{:.8},{:.8},{:.2}",
+                at.latitude, at.longitude, at.height
+            )
+        });
+        let (begin, end) = flight.span();
+        assert!(
+            (end - begin - 119.8).abs() < 1e-6,
+            "{name}: {} {:?}",
+            end - begin,
+            map.findings
+        );
+    }
+}
+
+#[test]
 fn a_counter_that_begins_anew_is_the_time_of_a_short_table_too() {
     let of = |count: usize, counter: &dyn Fn(usize) -> u32| {
         let rows = flown().into_iter().take(count).enumerate();

@@ -11,13 +11,12 @@ use super::physics::{self, TableEvidence};
 use super::rows::EvenRows;
 use super::settle::give_up;
 use super::{ColumnMap, ColumnRole, ColumnSample, TablePreview, preview};
+use crate::cells::time::seconds_counted;
 use pilotage_base::files::{FileSet, file_of};
 use pilotage_flight::ChannelName;
 
 /// Rows that are shown of a table.
 const SHOWN: usize = 4;
-/// Units of times that are counted, and their seconds.
-const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
 /// Confidence from which on a column is the time in a table that is one of a flight.
 const SURE_TIME: f64 = 0.4;
 /// Preference of the receiver's own table over others for channels of satellite navigation.
@@ -53,16 +52,11 @@ impl GuessedTable {
         let index = self.map.columns.iter().position(time);
         let span = index.and_then(|index| {
             let (first, last) = (*self.ranges.get(index)?)?;
-            Some((last - first) * seconds(&self.map.columns[index].unit)?)
+            Some((last - first) * seconds_counted(&self.map.columns[index].unit)?)
         });
         span.filter(|span| *span > 0.0)
             .map_or(0.0, |span| self.rows / span)
     }
-}
-
-fn seconds(unit: &str) -> Option<f64> {
-    let found = SECONDS.iter().find(|(name, _)| *name == unit);
-    found.map(|(_, seconds)| *seconds)
 }
 
 /// Guesses the meanings of the columns of the tables `names`, which were written together; files that are no
@@ -155,7 +149,7 @@ impl CountedTimes {
     fn all(samples: &[ColumnSample], share: f64) -> Vec<Self> {
         let clock = |guess: TimeGuess| {
             let (first, last) = samples.get(guess.column)?.range()?;
-            let seconds = seconds(guess.unit)?;
+            let seconds = seconds_counted(guess.unit)?;
             let span = (first * seconds, last * seconds);
             Some(Self { guess, span })
         };

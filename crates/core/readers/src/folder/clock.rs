@@ -22,6 +22,12 @@ pub enum TimeFormat {
     /// Nanoseconds in the flight's time base.
     #[serde(rename = "ns")]
     Nanoseconds,
+    /// Hundredths of seconds in the flight's time base.
+    #[serde(rename = "cs")]
+    Centiseconds,
+    /// Hundreds of microseconds in the flight's time base.
+    #[serde(rename = "100us")]
+    HundredMicroseconds,
     /// Date and time as cameras write them, `2016:06:23 16:31:59`.
     #[serde(rename = "YYYY:MM:DD HH:MM:SS")]
     Camera,
@@ -65,6 +71,8 @@ impl TimeFormat {
             Self::Milliseconds => scaled(1e-3),
             Self::Microseconds => scaled(1e-6),
             Self::Nanoseconds => scaled(1e-9),
+            Self::Centiseconds => scaled(1e-2),
+            Self::HundredMicroseconds => scaled(1e-4),
             Self::Days => scaled(86_400.0),
             Self::Minutes => scaled(60.0),
             Self::Hours => scaled(3600.0),
@@ -114,6 +122,8 @@ pub(super) fn count_on<'a>(moments: impl Iterator<Item = &'a mut Moment>, format
     let unit = match format {
         TimeFormat::Milliseconds => 1e-3,
         TimeFormat::Microseconds => 1e-6,
+        TimeFormat::Centiseconds => 1e-2,
+        TimeFormat::HundredMicroseconds => 1e-4,
         _ => return,
     };
     let mut times: Vec<&mut f64> = moments

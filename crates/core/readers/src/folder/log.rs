@@ -201,6 +201,8 @@ fn time_unit(time: &TimeColumn) -> &'static str {
         TimeFormat::Milliseconds => "ms",
         TimeFormat::Microseconds => "us",
         TimeFormat::Nanoseconds => "ns",
+        TimeFormat::Centiseconds => "cs",
+        TimeFormat::HundredMicroseconds => "100us",
         TimeFormat::Days => "d",
         TimeFormat::Minutes => "min",
         TimeFormat::Hours => "h",
