@@ -6,7 +6,7 @@ use egui::Ui;
 const BEYOND: usize = 40;
 
 /// Draws `count` rows of the same `height` (points) below each other without gaps, each by its number: those that are
-/// seen and [`BEYOND`] more at either end. The others have their room and nothing else, so that a list of ten thousand
+/// seen and a few dozen more at either end. The others have their room and nothing else, so that a list of ten thousand
 /// costs a frame no more than one of a hundred.
 pub fn rows_in_view(ui: &mut Ui, count: usize, height: f32, mut row: impl FnMut(&mut Ui, usize)) {
     let gap = std::mem::take(&mut ui.spacing_mut().item_spacing.y);
