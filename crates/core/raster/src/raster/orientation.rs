@@ -80,7 +80,7 @@ impl OrientationField {
 
 /// The part of a cover of which all eight neighbours are covered as well.
 fn eroded(covered: &Gray) -> Gray {
-    let (width, height) = (covered.width(), covered.height());
+    let width = covered.width();
     if covered.pixels().iter().all(|&c| c == 1.0) {
         return covered.clone();
     }
