@@ -7,7 +7,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::{
     sources::Source,
-    tokens::{NamedPath, named_paths},
+    tokens::{NamedPath, paths_in},
 };
 
 /// Names of the modules from the crate's root down to one of them; the root's is empty.
@@ -52,6 +52,9 @@ const MOST_STEPS: usize = 16;
 impl Modules {
     /// Reads the sources of one crate; test files are left out by the caller
     /// ([`without_test_files`](crate::reach::without_test_files)).
+    ///
+    /// # Panics
+    /// If one of them is not Rust.
     pub fn read(sources: &[Source]) -> Self {
         let mut found = Self::default();
         let elsewhere: BTreeMap<_, _> = sources.iter().flat_map(declared_by_path).collect();
@@ -59,10 +62,13 @@ impl Modules {
             let file = elsewhere.get(&source.path).cloned();
             let file = file.unwrap_or_else(|| module_of(&source.path));
             found.at(&file, &[]);
-            let stream: TokenStream = source.text.parse().unwrap_or_default();
-            found.define(&file, &mut Vec::new(), stream);
+            let stream: TokenStream = source
+                .text
+                .parse()
+                .unwrap_or_else(|error| panic!("{} is not Rust: {error}", source.path));
+            found.define(&file, &mut Vec::new(), stream.clone());
             let mut is_declared = false;
-            for path in named_paths(&source.text) {
+            for path in paths_in(stream) {
                 let declares = path.segments == ["mod"];
                 if !path.in_test && !is_declared {
                     found.at(&file, &path.inside).take(path);

@@ -115,6 +115,11 @@ fn test_modules(source: &Source) -> Vec<String> {
     } else {
         own
     };
+    // Few files declare another one: the others need not be read as tokens.
+    let declares = |line: &str| line.contains("mod ") && line.trim_end().ends_with(';');
+    if !source.text.lines().any(declares) {
+        return Vec::new();
+    }
     let paths = named_paths(&source.text);
     let declared = paths
         .windows(2)

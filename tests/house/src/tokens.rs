@@ -52,6 +52,11 @@ pub fn named_paths(source: &str) -> Vec<NamedPath> {
     let stream: TokenStream = source
         .parse()
         .unwrap_or_else(|error| panic!("not Rust: {error}:\n{source}"));
+    paths_in(stream)
+}
+
+/// Every path that tokens name, single identifiers included.
+pub(crate) fn paths_in(stream: TokenStream) -> Vec<NamedPath> {
     let mut walk = Walk::default();
     walk.tokens(stream);
     walk.found
