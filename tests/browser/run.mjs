@@ -1,7 +1,7 @@
 // Walks every journey (*.journey.mjs) through the page, each in a browser of its own with an empty
 // profile. `node run.mjs [WORD]` takes those whose file name contains the word; without a word those
 // that judge something, which leaves out the figures. A journey exports the `tags` of the parts of the program
-// that it walks through; PILOTAGE_TAGS names those that changed. Two walk at a time; one that exports `alone` has the
+// that it walks through; PILOTAGE_TAGS names those that changed. Three walk at a time; one that exports `alone` has the
 // machine for itself and paints as often as it can; one that exports `painted` has every frame painted, one that exports
 // `flies` more of the demo flown than its beginning (that many steps, or true: all of it), one that exports `ahead` what
 // nobody asked for done, one that exports `forgetful` a browser that keeps no data of any site; those that are `long` begin
@@ -23,7 +23,7 @@ process.on("unhandledRejection", () => {});
 const here = fileURLToPath(new URL(".", import.meta.url));
 const pictures = process.env.PILOTAGE_SCREENSHOTS ?? join(here, "../../target/screenshots");
 const longest = 400_000; // milliseconds for one journey, after which it counts as lost
-const abreast = Number(process.env.PILOTAGE_ABREAST ?? Math.min(2, availableParallelism())); // journeys at a time: one waits while another computes
+const abreast = Number(process.env.PILOTAGE_ABREAST ?? Math.min(3, availableParallelism() + 1)); // journeys at a time: one waits while the others compute
 
 const word = process.argv[2] ?? "";
 const tags = (process.env.PILOTAGE_TAGS ?? "").split(",").filter(Boolean); // of the parts that changed; none: all
